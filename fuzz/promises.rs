@@ -139,7 +139,7 @@ fn brightest(world: &mut World) -> f64 {
 /// The largest distance of a cuboid from the eye, in multiples of its size.
 fn farthest(world: &mut World, view: &View) -> f64 {
     let far = |(mesh, transform): (&Mesh, &Transform)| {
-        length(transform.position - view.viewpoint.position) / length(mesh.corners[7])
+        length(transform.position - view.camera.position) / length(mesh.corners[7])
     };
     let cuboids = world.query_mut::<(&Mesh, &Transform)>().into_iter();
     cuboids.map(far).fold(0.0, f64::max)

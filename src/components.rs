@@ -5,7 +5,7 @@
 //! cuboid   Name FileOrder Transform Mesh Material          WorldTransform Normals VertexColors Projected
 //!          ShadingMode
 //! light    Name FileOrder Transform Light
-//! camera   Name FileOrder Transform Camera Orbit
+//! camera   Name FileOrder Camera Orbit
 //! viewer   Viewer Background
 //! ```
 //! A scene has one viewer. Keys and widgets write components. [`View::of`] alone reads those of the viewer and of its
@@ -26,7 +26,7 @@ mod vector;
 mod view;
 mod viewer;
 
-pub use self::camera::{Camera, Lens, Projection, Viewpoint};
+pub use self::camera::{Camera, Lens, Projection};
 pub use self::entity::{FileOrder, Name, get, in_file_order, names, ordered, overwrite};
 pub use self::light::{Illumination, Light, LightKind, PointLight};
 pub use self::mesh::{FACES, Mesh, TRIANGLES};

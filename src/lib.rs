@@ -27,7 +27,7 @@
 //! the frame. `tests/it/systems` tests each alone.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
-//! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Viewpoint::of`] says where a
+//! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Camera::of`] says where a
 //!    camera stands once its orbit has moved it.
 //! 3. [`systems::normals`]: the mesh's vertex normals, turned. A vertex normal is the normalised sum of the unit normals of
 //!    the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's

@@ -13,7 +13,7 @@ use hecs::World;
 use libfuzzer_sys::fuzz_target;
 use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
-    View, Viewpoint, cuboid as components_of, length, unit,
+    View, cuboid as components_of, length, unit,
 };
 
 const LENGTHS: [f64; 2] = [1e-100, 1e100];
@@ -125,21 +125,21 @@ fn scene(u: &mut Unstructured) -> Result<Option<(World, View)>> {
     let [height, near] = [number(u, LENGTHS)?, number(u, LENGTHS)?]
         .map(|length| (length * scale).clamp(LENGTHS[0], LENGTHS[1]));
     let camera = Camera {
+        position: scaled(u, scale, COORDINATES)?,
         target: scaled(u, scale, COORDINATES)?,
         up: *u.choose(&[DVec3::Y, DVec3::Z, any_up])?,
         fov: number(u, [5e-324, 179.0])?.max(*u.choose(&[0.0, 30.0])?),
         height,
         near: *u.choose(&[None, Some(near)])?,
     };
-    let position = scaled(u, scale, COORDINATES)?;
-    let forward = camera.target - position;
+    let forward = camera.target - camera.position;
     let parallel = unit(camera.up).cross(unit(forward)).length() < 1e-9;
     if length(forward) < LENGTHS[0] || parallel {
         return Ok(None);
     }
     let view = View {
         size: [u.int_in_range(1..=40)?, u.int_in_range(1..=30)?],
-        viewpoint: Viewpoint { position, camera },
+        camera,
         projection: *u.choose(&[Projection::Perspective, Projection::Orthographic])?,
         background: DVec3::new(20.0, 0.0, 255.0),
         turned: 0,

@@ -5,7 +5,7 @@
 mod promises;
 
 use libfuzzer_sys::fuzz_target;
-use shadetrade::components::{Camera, Light, Mesh, Projection, View, Viewpoint, ordered};
+use shadetrade::components::{Camera, Light, Mesh, Projection, View, ordered};
 use shadetrade::scene::Scene;
 
 /// Larger scenes are skipped: they take long to draw and find no other faults.
@@ -30,7 +30,7 @@ fuzz_target!(|bytes: &[u8]| {
     for camera in ordered::<Camera>(&scene.world).into_iter().take(2) {
         for projection in Projection::ALL {
             let view = View {
-                viewpoint: Viewpoint::of(&scene.world, camera),
+                camera: Camera::of(&scene.world, camera),
                 projection,
                 ..View::of(&scene.world, [19, 13]).with_tolerance(0.5)
             };

@@ -1,19 +1,19 @@
 //! A camera, its projection, and the lens of one frame.
 //!
 //! ```text
-//! Transform, Camera --Orbit--> Viewpoint --in a View--> Lens
+//! Camera --Orbit--> Camera --in a View--> Lens
 //! ```
 
 use glam::DVec3;
-use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
-use super::transform::Transform;
 use super::vector::{length, unit};
 
-/// A camera. Its position is that of its [`Transform`].
+/// A camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
+    /// The eye, in world units.
+    pub position: DVec3,
     /// The point it looks at, in world units.
     pub target: DVec3,
     /// The direction that is up in the picture; not parallel to the view.
@@ -50,33 +50,11 @@ impl Projection {
     }
 }
 
-/// The camera of one frame, with its position.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Viewpoint {
-    /// The eye, in world units.
-    pub position: DVec3,
-    /// See [`Camera`].
-    pub camera: Camera,
-}
-
-impl Viewpoint {
-    /// The viewpoint of a camera without its [`Orbit`](super::Orbit).
-    ///
-    /// # Panics
-    /// If the entity is no camera.
-    pub fn own(world: &World, camera: Entity) -> Viewpoint {
-        let mut query = world.query_one::<(&Transform, &Camera)>(camera);
-        let (at, camera) = query.get().expect("the entity is a camera");
-        Viewpoint {
-            position: at.position,
-            camera: *camera,
-        }
-    }
-
+impl Camera {
     /// The unit vectors right, up and forward in world space.
     pub fn axes(&self) -> [DVec3; 3] {
-        let forward = unit(self.camera.target - self.position);
-        let right = unit(forward.cross(unit(self.camera.up)));
+        let forward = unit(self.target - self.position);
+        let right = unit(forward.cross(unit(self.up)));
         [right, right.cross(forward), forward]
     }
 
@@ -84,16 +62,16 @@ impl Viewpoint {
     /// in perspective, on every plane in orthographic projection.
     pub fn pixel_pitch(&self, projection: Projection, rows: usize) -> f64 {
         let seen = match projection {
-            Projection::Perspective => 2.0 * (self.camera.fov / 2.0).to_radians().tan(),
-            Projection::Orthographic => self.camera.height,
+            Projection::Perspective => 2.0 * (self.fov / 2.0).to_radians().tan(),
+            Projection::Orthographic => self.height,
         };
         seen / rows as f64
     }
 
     /// Distance of the near plane, in world units.
     pub fn near(&self) -> f64 {
-        let to_target = || length(self.camera.target - self.position);
-        self.camera.near.unwrap_or_else(|| to_target() * 1e-3)
+        let to_target = || length(self.target - self.position);
+        self.near.unwrap_or_else(|| to_target() * 1e-3)
     }
 }
 
@@ -108,7 +86,7 @@ pub struct Lens {
     pub near: f64,
     /// Perspective or orthographic.
     pub projection: Projection,
-    /// See [`Viewpoint::pixel_pitch`].
+    /// See [`Camera::pixel_pitch`].
     pub pitch: f64,
     /// Half the picture's width and height in pixels.
     pub half: [f64; 2],
@@ -120,19 +98,16 @@ mod tests {
 
     #[test]
     fn the_near_plane_is_a_thousandth_of_the_distance_to_the_target_unless_it_is_given() {
-        let camera = Camera {
+        let camera = |near| Camera {
+            position: DVec3::new(1.0, 1.0, -1.0),
             target: DVec3::new(1.0, 5.0, 2.0),
             up: DVec3::Y,
             fov: 30.0,
             height: 1.0,
-            near: None,
-        };
-        let viewpoint = |near| Viewpoint {
-            position: DVec3::new(1.0, 1.0, -1.0),
-            camera: Camera { near, ..camera },
+            near,
         };
         // (0, 4, 3) is five long.
-        assert!((viewpoint(None).near() - 5e-3).abs() < 1e-17);
-        assert_eq!(viewpoint(Some(0.25)).near(), 0.25);
+        assert!((camera(None).near() - 5e-3).abs() < 1e-17);
+        assert_eq!(camera(Some(0.25)).near(), 0.25);
     }
 }

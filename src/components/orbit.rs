@@ -1,6 +1,6 @@
 //! The movement of a camera around its target, and the limits that keep the scene in view.
 //!
-//! The default orbit leaves the camera's viewpoint unchanged, bit for bit. All others look at the target and stay short of
+//! The default orbit leaves the camera unchanged, bit for bit. All others look at the target and stay short of
 //! the poles, which are the camera's `up` and its opposite.
 
 use std::ops::RangeInclusive;
@@ -9,7 +9,7 @@ use glam::DVec3;
 use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
-use super::camera::Viewpoint;
+use super::camera::Camera;
 use super::entity::get;
 use super::mesh::Mesh;
 use super::range::{OrbitAngle, Zoom};
@@ -54,7 +54,7 @@ impl Default for Orbit {
 impl Orbit {
     /// This orbit moved by these degrees to the right and up, as far as the poles allow. `from` is the camera's own place.
     #[must_use]
-    pub fn moved(self, from: &Viewpoint, azimuth: f64, elevation: f64) -> Self {
+    pub fn moved(self, from: &Camera, azimuth: f64, elevation: f64) -> Self {
         // A recording may hold any number.
         let azimuth = self.azimuth + azimuth % 360.0;
         Orbit {
@@ -95,9 +95,9 @@ impl Orbit {
 
     /// The zooms that keep the active camera outside of the cuboids and near the scene.
     pub fn limits(world: &World) -> RangeInclusive<f64> {
-        let from = Viewpoint::own(world, active_camera(world));
+        let from = Camera::own(world, active_camera(world));
         let turned = viewer(world).turned;
-        let target = from.camera.target;
+        let target = from.target;
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         // The distance from the target to the farthest corner of the cuboid around it; 0 if there is none.
         let mut clearance: f64 = 0.0;
@@ -118,30 +118,38 @@ impl Orbit {
         // A camera that starts closer than the farthest corner is stopped only by the near plane.
         let clearance = if distance > clearance { clearance } else { 0.0 };
         let closest = clearance.max(size * CLOSEST) + from.near();
-        closest / distance..=size * FARTHEST / distance.max(from.camera.height)
+        closest / distance..=size * FARTHEST / distance.max(from.height)
     }
 }
 
-impl Viewpoint {
-    /// The viewpoint of a camera moved by its [`Orbit`].
+impl Camera {
+    /// The camera of an entity, without its [`Orbit`].
     ///
     /// # Panics
     /// If the entity is no camera.
-    pub fn of(world: &World, camera: Entity) -> Viewpoint {
-        let orbit: Orbit = get(world, camera).unwrap_or_default();
-        Viewpoint::own(world, camera).orbited(&orbit)
+    pub fn own(world: &World, entity: Entity) -> Camera {
+        get(world, entity).expect("the entity is a camera")
     }
 
-    /// The viewpoint moved by `orbit`.
+    /// The camera of an entity, moved by its [`Orbit`].
+    ///
+    /// # Panics
+    /// If the entity is no camera.
+    pub fn of(world: &World, entity: Entity) -> Camera {
+        let orbit: Orbit = get(world, entity).unwrap_or_default();
+        Camera::own(world, entity).orbited(&orbit)
+    }
+
+    /// The camera moved by `orbit`.
     #[must_use]
-    pub fn orbited(&self, orbit: &Orbit) -> Viewpoint {
+    pub fn orbited(&self, orbit: &Orbit) -> Camera {
         if *orbit == Orbit::default() {
             return *self;
         }
         let mut moved = *self;
-        moved.camera.height *= orbit.zoom;
-        let offset = self.position - self.camera.target;
-        let up = unit(self.camera.up);
+        moved.height *= orbit.zoom;
+        let offset = self.position - self.target;
+        let up = unit(self.up);
         let right = unit(up.cross(unit(offset)));
         let outwards = right.cross(up);
         let (sin_azimuth, cos_azimuth) = orbit.azimuth.to_radians().sin_cos();
@@ -149,14 +157,14 @@ impl Viewpoint {
         let (sin_elevation, cos_elevation) = elevation.to_radians().sin_cos();
         let direction =
             (outwards * cos_azimuth + right * sin_azimuth) * cos_elevation + up * sin_elevation;
-        moved.position = self.camera.target + unit(direction) * (length(offset) * orbit.zoom);
+        moved.position = self.target + unit(direction) * (length(offset) * orbit.zoom);
         moved
     }
 
     /// The angle of the camera above its target, in degrees.
     fn own_elevation(&self) -> f64 {
-        let offset = unit(self.position - self.camera.target);
-        let up = unit(self.camera.up);
+        let offset = unit(self.position - self.target);
+        let up = unit(self.up);
         offset.dot(up).atan2(offset.cross(up).length()).to_degrees()
     }
 

@@ -1,9 +1,9 @@
-//! The view of one frame: viewpoint, size and precision of a picture.
+//! The view of one frame: camera, size and precision of a picture.
 
 use glam::DVec3;
 use hecs::World;
 
-use super::camera::{Projection, Viewpoint};
+use super::camera::{Camera, Projection};
 use super::surface::ShadingMode;
 use super::viewer::{active_camera, background, viewer};
 
@@ -12,8 +12,8 @@ use super::viewer::{active_camera, background, viewer};
 pub struct View {
     /// Width and height of the picture in pixels, each at least 1.
     pub size: [usize; 2],
-    /// The camera and its position.
-    pub viewpoint: Viewpoint,
+    /// The camera, moved by its [`Orbit`](super::Orbit).
+    pub camera: Camera,
     /// Perspective or orthographic.
     pub projection: Projection,
     /// The colour of pixels without a cuboid, in levels.
@@ -35,7 +35,7 @@ impl View {
         let viewer = viewer(world);
         View {
             size,
-            viewpoint: Viewpoint::of(world, active_camera(world)),
+            camera: Camera::of(world, active_camera(world)),
             projection: viewer.projection,
             background: background(world),
             turned: viewer.turned,

@@ -5,7 +5,7 @@ use hecs::{Entity, Ref, RefMut, World};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::camera::{Camera, Projection};
-use super::entity::{names, ordered};
+use super::entity::{Name, in_file_order};
 use super::range::{Milliseconds, Share, array};
 use super::surface::ShadingMode;
 
@@ -205,10 +205,10 @@ pub fn background(world: &World) -> DVec3 {
 /// # Panics
 /// If there is no camera.
 pub fn active_camera(world: &World) -> Entity {
-    let name = viewer(world).camera.clone();
-    let index = name.and_then(|name| names::<Camera>(world).iter().position(|it| *it == name));
-    let cameras = ordered::<Camera>(world);
-    *cameras
-        .get(index.unwrap_or(0))
-        .expect("a scene is spawned with a camera")
+    let active = &viewer(world).camera;
+    let cameras = in_file_order::<(Entity, &Name, &Camera), _>(world, |(entity, name, _)| {
+        (active.as_ref() != Some(&name.0), entity)
+    });
+    let first = cameras.into_iter().min_by_key(|(is_other, _)| *is_other);
+    first.expect("a scene is spawned with a camera").1
 }

@@ -39,8 +39,8 @@ pub struct Line<R> {
 impl<R: Real> Sight<R> {
     /// The lines of sight of `view`, without a rule of the model if one is given.
     pub fn new(view: &View, without: Option<Rule>) -> Self {
-        let camera = &view.viewpoint.camera;
-        let eye = view.viewpoint.position;
+        let camera = &view.camera;
+        let eye = view.camera.position;
         let to_target = RealVector::exact(camera.target) - RealVector::exact(eye);
         let forward = to_target.unit();
         let right = forward.cross(RealVector::exact(camera.up).unit()).unit();

@@ -199,7 +199,7 @@ impl Trial<'_> {
                     let along = self.all(Products, normal * (2.0 * cosine));
                     let reflected = self.all(Products, along - to_light);
                     let to_eye = match self.view.projection {
-                        Projection::Perspective => towards(self.view.viewpoint.position),
+                        Projection::Perspective => towards(self.view.camera.position),
                         Projection::Orthographic => self.all(Vectors, self.sample.to_eye),
                     };
                     power(self.dot(Products, to_eye, reflected))

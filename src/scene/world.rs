@@ -16,7 +16,6 @@ type CuboidParts<'a> = (
     &'a Material,
     &'a ShadingMode,
 );
-type CameraParts<'a> = (&'a Name, &'a Transform, &'a Camera, &'a Orbit);
 
 impl SceneRecord {
     /// The record of a world. It does not tell whether the cuboids keep turning.
@@ -47,15 +46,17 @@ impl SceneRecord {
             }
         });
         let camera =
-            in_file_order::<CameraParts, _>(world, |(name, at, camera, orbit)| CameraRecord {
-                name: name.0.clone(),
-                position: at.position,
-                target: camera.target,
-                up: camera.up,
-                fov: camera.fov,
-                height: camera.height,
-                near: camera.near,
-                orbit: *orbit,
+            in_file_order::<(&Name, &Camera, &Orbit), _>(world, |(name, camera, orbit)| {
+                CameraRecord {
+                    name: name.0.clone(),
+                    position: camera.position,
+                    target: camera.target,
+                    up: camera.up,
+                    fov: camera.fov,
+                    height: camera.height,
+                    near: camera.near,
+                    orbit: *orbit,
+                }
             });
         let mut view = Viewer::clone(&viewer(world));
         view.turns = false;
@@ -107,14 +108,14 @@ impl SceneRecord {
         }
         for (order, it) in (0..).map(FileOrder).zip(&self.camera) {
             let camera = Camera {
+                position: it.position,
                 target: it.target,
                 up: it.up,
                 fov: it.fov,
                 height: it.height,
                 near: it.near,
             };
-            let (name, place) = (Name(it.name.clone()), Transform::at(it.position));
-            world.spawn((name, order, place, camera, it.orbit));
+            world.spawn((Name(it.name.clone()), order, camera, it.orbit));
         }
         world.spawn((self.view.clone(), Background(self.background)));
         world

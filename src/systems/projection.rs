@@ -68,23 +68,20 @@ mod tests {
     use glam::DMat3;
 
     use super::*;
-    use crate::components::{Camera, Polygon, Viewpoint};
+    use crate::components::{Camera, Polygon};
 
     pub(super) fn view(projection: Projection, size: [usize; 2]) -> View {
         let camera = Camera {
+            position: DVec3::new(0.0, 0.0, 10.0),
             target: DVec3::ZERO,
             up: DVec3::Y,
             fov: 90.0,
             height: 20.0,
             near: Some(1.0),
         };
-        let viewpoint = Viewpoint {
-            position: DVec3::new(0.0, 0.0, 10.0),
-            camera,
-        };
         View {
             size,
-            viewpoint,
+            camera,
             projection,
             background: DVec3::ZERO,
             turned: 0,

@@ -15,11 +15,11 @@ impl Lens {
     /// The lens of a view.
     pub fn new(view: &View) -> Self {
         Lens {
-            axes: view.viewpoint.axes(),
-            eye: view.viewpoint.position,
-            near: view.viewpoint.near(),
+            axes: view.camera.axes(),
+            eye: view.camera.position,
+            near: view.camera.near(),
             projection: view.projection,
-            pitch: view.viewpoint.pixel_pitch(view.projection, view.size[1]),
+            pitch: view.camera.pixel_pitch(view.projection, view.size[1]),
             half: view.size.map(|pixels| pixels as f64 / 2.0),
         }
     }

@@ -7,7 +7,7 @@ use super::app::App;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
-    Lens, Light, LightKind, Name, Transform, Viewpoint, active_camera, in_file_order,
+    Camera, Lens, Light, LightKind, Name, Transform, active_camera, in_file_order,
 };
 use crate::frame::display_pixel;
 use crate::paint::color;
@@ -129,7 +129,7 @@ impl App {
             return;
         };
         let world = &self.scene.world;
-        let [right, up, _] = Viewpoint::of(world, active_camera(world)).axes();
+        let [right, up, _] = Camera::of(world, active_camera(world)).axes();
         let arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
             let Some(vector) = vector else {
                 return;

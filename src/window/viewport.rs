@@ -4,7 +4,7 @@ use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2,
 
 use super::app::App;
 use super::pictures::divider_column;
-use crate::components::{Orbit, Tab, ViewMode, Viewpoint, active_camera, get};
+use crate::components::{Camera, Orbit, Tab, ViewMode, active_camera, get};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
@@ -68,7 +68,7 @@ impl App {
     /// Moves the camera about its target, by degrees to the right and up.
     pub fn orbit(&mut self, azimuth: f64, elevation: f64) {
         let world = &self.scene.world;
-        let own = Viewpoint::own(world, active_camera(world));
+        let own = Camera::own(world, active_camera(world));
         let limit = "the camera stops short of the pole";
         self.change_orbit(limit, |orbit| orbit.moved(&own, azimuth, elevation));
     }

@@ -48,7 +48,7 @@ fn no_pixel_exceeds_its_tolerance_and_every_kind_of_tile_comes_near_it() {
             for _ in 0..20 {
                 let tolerance = random.between(0.01, 8.0) * random.one_of(&[0.0, 1.0, 1.0, 1.0]);
                 let (mut world, mut view) = case.build([32, 32], tolerance);
-                let camera = &mut view.viewpoint.camera;
+                let camera = &mut view.camera;
                 let part = random.between(1e-4, 1.0);
                 (camera.fov, camera.height) = (camera.fov * part, camera.height * part);
                 for (kind, share) in shares(&mut world, &view) {
@@ -89,7 +89,7 @@ fn face(
     shine(&mut world, kind, 255.0, place);
     let eye = DVec3::Z - 10.0 * forward;
     let mut view = view([32, 32], eye, DVec3::Z, Projection::Orthographic);
-    view.viewpoint.camera.height = 32.0 * pitch;
+    view.camera.height = 32.0 * pitch;
     (world, view.shaded(ShadingMode::Phong))
 }
 

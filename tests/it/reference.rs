@@ -23,7 +23,7 @@ const MATERIAL: Material = Material {
 /// A view from this height on the z axis, 90 degrees or 10 units high.
 fn above(size: [usize; 2], height: f64, projection: Projection) -> View {
     let mut view = view(size, DVec3::Z * height, DVec3::ZERO, projection);
-    (view.viewpoint.camera.fov, view.viewpoint.camera.height) = (90.0, 10.0);
+    (view.camera.fov, view.camera.height) = (90.0, 10.0);
     view
 }
 
@@ -99,9 +99,9 @@ fn surfaces_nearer_than_the_near_plane_are_invisible() {
     let world = turned([2.0; 3], 0.0);
     for projection in Projection::ALL {
         let mut view = above([11, 11], 5.0, projection);
-        view.viewpoint.camera.near = Some(4.0);
+        view.camera.near = Some(4.0);
         assert!(at_pixel(&world, &view, 5, 5).is_some());
-        view.viewpoint.camera.near = Some(4.0 + 1e-12);
+        view.camera.near = Some(4.0 + 1e-12);
         assert_eq!(at_pixel(&world, &view, 5, 5), None);
         assert_eq!(truth(&world, &view).levels[60], view.background.to_array());
     }
@@ -122,7 +122,7 @@ fn a_cuboid_a_trillion_times_longer_than_wide_is_as_exact_as_a_cube() {
             point + 2.0 * DVec3::Z,
         );
         let mut view = above([11, 11], 5.0, Projection::Perspective);
-        view.viewpoint.camera.up = axis;
+        view.camera.up = axis;
         let seen = at_pixel(&world, &view, 5, 3).expect("the cuboid");
         assert_eq!(seen.triangle / 2, 4, "face +z");
         assert_near(seen.position, point.to_array());
@@ -170,9 +170,9 @@ fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View)
         place([0.0; 3]),
         projection,
     );
-    view.viewpoint.camera.near = Some(0.5 * scale);
-    view.viewpoint.camera.height = 10.0 * scale;
-    view.viewpoint.camera.fov = 45.0;
+    view.camera.near = Some(0.5 * scale);
+    view.camera.height = 10.0 * scale;
+    view.camera.fov = 45.0;
     (world, view)
 }
 

@@ -30,8 +30,7 @@ fn scene_of(mut world: World, view: &View) -> Scene {
     let camera = (
         Name("1".to_owned()),
         FileOrder(0),
-        Transform::at(view.viewpoint.position),
-        view.viewpoint.camera,
+        view.camera,
         Orbit::default(),
     );
     world.spawn(camera);

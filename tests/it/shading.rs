@@ -42,8 +42,8 @@ const FROM_AN_EYE: usize = 1;
 fn views() -> [View; 2] {
     [Projection::Orthographic, Projection::Perspective].map(|projection| {
         let mut view = view([5, 5], DVec3::Z * 12.0, DVec3::ZERO, projection);
-        view.viewpoint.camera.height = 5.0;
-        view.viewpoint.camera.fov = 2.0 * 0.25_f64.atan().to_degrees();
+        view.camera.height = 5.0;
+        view.camera.fov = 2.0 * 0.25_f64.atan().to_degrees();
         view
     })
 }
@@ -219,7 +219,7 @@ fn levels_or_normals_are_interpolated_as_the_mode_says() {
     spawn_cuboid(&mut world, DVec3::splat(2.0), below, MATERIAL);
     spawn_light(&mut world, Diffuse, SENT, DVec3::new(0.0, -1.0, 1e15));
     let mut view = view([25, 25], DVec3::ZERO, DVec3::NEG_Z, Projection::Perspective);
-    view.viewpoint.camera.fov = 90.0;
+    view.camera.fov = 90.0;
     let [root, normal] = [3.0_f64.sqrt(), 1.29_f64.sqrt()];
     for (mode, near, share) in [
         // n.l at the corners: -1 / sqrt(3), which is clamped to 0, and twice 1 / sqrt(3). Clipping changes no colour.
@@ -234,7 +234,7 @@ fn levels_or_normals_are_interpolated_as_the_mode_says() {
         // n_z = (-0.25 + 0.15 + 0.6) / sqrt(3).
         (UnitVectors, 2.2, 0.5 / root),
     ] {
-        view.viewpoint.camera.near = Some(near);
+        view.camera.near = Some(near);
         assert_share(&mut world, &view.shaded(mode), [13, 17], (Diffuse, share));
     }
 }
@@ -247,7 +247,7 @@ fn unit_vectors_shorten_n_l_and_o() {
         DVec3::ZERO,
         Projection::Orthographic,
     );
-    above.viewpoint.camera.height = 10.0;
+    above.camera.height = 10.0;
     // The corners on the diagonal have n = (-+1, -+1, 1) / sqrt(3) and, under a light 1 above the face, l = (+-1, +-1, 1)
     // / sqrt(3): both shrink to (0, 0, 1 / sqrt(3)). n.l = 1 / 3, and r = 2/3 n - l points down.
     for (kind, share) in [(Diffuse, 1.0 / 3.0), (Specular, 0.0)] {
@@ -265,7 +265,7 @@ fn unit_vectors_shorten_n_l_and_o() {
     let mut world = cube(1.0, 1.0, Specular, [-1e15, 0.0, 1e15]);
     let [eye, target] = [5.0, 0.0].map(|z| DVec3::new(-1.0, 0.0, z));
     let mut aside = view([11, 11], eye, target, Projection::Perspective);
-    aside.viewpoint.camera.fov = 90.0;
+    aside.camera.fov = 90.0;
     let share = 2.0_f64.sqrt() / 6.0 * 4.0 / 17.0_f64.sqrt();
     assert_share(
         &mut world,

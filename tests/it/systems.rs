@@ -42,7 +42,7 @@ fn empty_frame() -> Frame {
 /// From z = 10 towards the origin: 90 degrees or 20 units high, at tolerance 0, on black.
 fn ahead(projection: Projection, size: [usize; 2]) -> View {
     let mut view = view(size, DVec3::Z * 10.0, DVec3::ZERO, projection);
-    let camera = &mut view.viewpoint.camera;
+    let camera = &mut view.camera;
     (camera.fov, camera.height, camera.near) = (90.0, 20.0, Some(1.0));
     view.background = DVec3::ZERO;
     view

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::*;
-use crate::components::{Camera, Mesh, View, Viewpoint};
+use crate::components::{Camera, Mesh, View};
 use crate::reference::Interval;
 
 const SIZE: [usize; 2] = [24, 18];
@@ -25,15 +25,13 @@ impl Numbers {
 fn view(position: DVec3, target: DVec3, projection: Projection) -> View {
     View {
         size: SIZE,
-        viewpoint: Viewpoint {
+        camera: Camera {
             position,
-            camera: Camera {
-                target,
-                up: DVec3::new(0.1, 1.0, 0.2),
-                fov: 50.0,
-                height: 3.0,
-                near: Some(0.3),
-            },
+            target,
+            up: DVec3::new(0.1, 1.0, 0.2),
+            fov: 50.0,
+            height: 3.0,
+            near: Some(0.3),
         },
         projection,
         background: DVec3::ZERO,

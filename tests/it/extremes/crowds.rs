@@ -88,7 +88,7 @@ fn ten_thousand_cuboids_are_proven() {
     light_all(&mut world, DVec3::splat(10.0));
     let step = if is_full() { 1 } else { 3 };
     for mut view in views([96, 72], EYE).into_iter().step_by(step) {
-        view.viewpoint.camera.fov = 45.0;
+        view.camera.fov = 45.0;
         assert_proven(&mut world, &view, 1000);
     }
 }

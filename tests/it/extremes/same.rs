@@ -39,11 +39,11 @@ fn still_life_at(scale: f64, shift: DVec3) -> (World, Vec<View>) {
     }
     let mut views = views([64, 48]);
     for view in &mut views {
-        let viewpoint = &mut view.viewpoint;
-        viewpoint.position = place(viewpoint.position);
-        viewpoint.camera.target = place(viewpoint.camera.target);
-        viewpoint.camera.height *= scale;
-        viewpoint.camera.near = Some(8.0 * scale);
+        let camera = &mut view.camera;
+        camera.position = place(camera.position);
+        camera.target = place(camera.target);
+        camera.height *= scale;
+        camera.near = Some(8.0 * scale);
     }
     (world, views)
 }
@@ -121,7 +121,7 @@ fn a_near_plane_in_the_plane_of_a_face_clips_nothing_of_it() {
         }
         let views = Projection::ALL.into_iter().flat_map(|projection| {
             let mut view = view([64, 48], DVec3::Z * 10.0, DVec3::ZERO, projection);
-            view.viewpoint.camera.near = Some(near);
+            view.camera.near = Some(near);
             [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| view.shaded(mode))
         });
         (world, views.collect())

@@ -105,11 +105,8 @@ impl<'a> Scene<'a> {
     pub fn new(world: &World, view: &'a View) -> Self {
         let mut cuboids = world.query::<(&Transform, &Mesh, &Material, &ShadingMode)>();
         let mut lights = world.query::<(&Transform, &Light)>();
-        let camera = &view.viewpoint.camera;
-        let forward = unit(&minus(
-            &exact(camera.target),
-            &exact(view.viewpoint.position),
-        ));
+        let camera = &view.camera;
+        let forward = unit(&minus(&exact(camera.target), &exact(view.camera.position)));
         let right = unit(&cross(&forward, &exact(camera.up)));
         let up = cross(&right, &forward);
         let seen = match view.projection {
@@ -189,7 +186,7 @@ impl<'a> Scene<'a> {
 
     /// The start and direction of the line of sight of a pixel.
     fn sight(&self, x: usize, y: usize) -> [Vector; 2] {
-        let eye = exact(self.view.viewpoint.position);
+        let eye = exact(self.view.camera.position);
         let [width, height] = self.view.size.map(|pixels| pixels as f64);
         let moved = plus(
             &times(&self.right, &big(x as f64 + 0.5 - width / 2.0)),

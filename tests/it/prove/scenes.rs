@@ -95,7 +95,7 @@ fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted_or_undefin
         // In a picture with odd sides the middle line of sight is exact.
         let view = View::of(&world, [49, 37]);
         let proof = proof(&mut world, &view);
-        let is_far = distance(&mut world, view.viewpoint.position) > 1e10;
+        let is_far = distance(&mut world, view.camera.position) > 1e10;
         let is_right = proof.refuted == 0 && (proof.undecided == 0 || is_far);
         assert!(is_right, "{record:?}\n{:?}", proof.examples);
         let shortcut = draw(

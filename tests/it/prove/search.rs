@@ -71,9 +71,9 @@ fn build(numbers: &Numbers, (tolerance, mode): Asked) -> (World, View) {
         Projection::Orthographic
     };
     let mut view = scene::view(SIZE, place(16, [1.2, 10.0]), DVec3::ZERO, projection);
-    view.viewpoint.camera.up = DVec3::new(0.1, 1.0, 0.2);
-    view.viewpoint.camera.fov = scaled(n(19), [2.0, 100.0]);
-    view.viewpoint.camera.height = scaled(n(20), [0.1, 3.0]) * radius;
+    view.camera.up = DVec3::new(0.1, 1.0, 0.2);
+    view.camera.fov = scaled(n(19), [2.0, 100.0]);
+    view.camera.height = scaled(n(20), [0.1, 3.0]) * radius;
     view.shading = Some(mode);
     view.tolerance = tolerance;
     (world, view)

@@ -13,7 +13,7 @@ use crate::support::scene::view;
 /// before the eye.
 fn counts(random: &mut Random, depth: f64, projection: Projection) -> Vec<u32> {
     let mut view = view([48, 48], DVec3::ZERO, DVec3::NEG_Z, projection);
-    let camera = &mut view.viewpoint.camera;
+    let camera = &mut view.camera;
     (camera.fov, camera.height, camera.near) = (60.0, 8.0, Some(0.5));
     let transform = Transform {
         position: random.around(1.5) + DVec3::NEG_Z * depth,

@@ -188,7 +188,7 @@ fn the_errors_of_f32_are_those_of_a_twin() {
     for sample in samples.flatten() {
         let corners = TRIANGLES[sample.triangle].map(usize::from);
         let corners = corners.map(|corner| [mesh.corners[corner], mesh.normals[corner]]);
-        let places = [place, view.viewpoint.position];
+        let places = [place, view.camera.position];
         let level = |stage| twin(stage, corners, sample.weights, places).min(255.0);
         let exact = level(6);
         errors = std::array::from_fn(|stage| errors[stage].max((level(stage) - exact).abs()));

@@ -131,7 +131,7 @@ fn affine_interpolation_suffices_from_the_distance_computed_on_paper() {
         spawn_cuboid(&mut world, DVec3::new(2.0, 2.0, 1e-9), turned, WHITE);
         shine(&mut world, Diffuse, 100.0, light);
         let mut view = from_z(share * distance, Perspective);
-        view.viewpoint.camera.fov = 2.0 * (1.5 / distance).atan().to_degrees();
+        view.camera.fov = 2.0 * (1.5 / distance).atan().to_degrees();
         view.size = [9, 2001];
         let scene = shaded(Gouraud, scene_of(world, &view));
         let interpolation = change(&scene, &view, Part::Rule(Rule::PerspectiveCorrect));
@@ -178,9 +178,9 @@ fn a_near_plane_is_required_where_it_clips() {
         // The face is at distance 3. Behind the eye only parallel lines of sight reach it.
         let behind = if projection == Perspective { 0.0 } else { 80.0 };
         for (eye, near, known) in [(4.0, 2.9, 0.0), (4.0, 3.1, 80.0), (-4.0, 0.1, behind)] {
-            view.viewpoint.position = DVec3::Z * eye;
-            view.viewpoint.camera.target = DVec3::Z * (eye - 1.0);
-            view.viewpoint.camera.near = Some(near);
+            view.camera.position = DVec3::Z * eye;
+            view.camera.target = DVec3::Z * (eye - 1.0);
+            view.camera.near = Some(near);
             assert_error(change(&scene, &view, Part::Rule(Rule::NearPlane)), known);
         }
     }
@@ -198,10 +198,10 @@ fn a_scene_that_requires_every_part() {
         (Ambient, 20.0, DVec3::ZERO),
     ];
     let mut view = from_z(1.0, Perspective);
-    view.viewpoint.position = centre + DVec3::new(2.0, 2.2, 1.8);
-    view.viewpoint.camera.target = centre;
-    view.viewpoint.camera.near = Some(2.0);
-    view.viewpoint.camera.fov = 70.0;
+    view.camera.position = centre + DVec3::new(2.0, 2.2, 1.8);
+    view.camera.target = centre;
+    view.camera.near = Some(2.0);
+    view.camera.fov = 70.0;
     let places = [0.0, 45.0].map(|degrees| Transform {
         position: centre,
         rotation: DVec3::Y * degrees,
@@ -223,8 +223,8 @@ fn an_undecided_part_is_required() {
         (Diffuse, 100.0, DVec3::Z * 8.0),
     ];
     let mut view = from_z(8.0, Perspective);
-    view.viewpoint.position = DVec3::new(1.0, 0.7, 1.3) * 1e22;
-    view.viewpoint.camera.fov = 1e-20;
+    view.camera.position = DVec3::new(1.0, 0.7, 1.3) * 1e22;
+    view.camera.fov = 1e-20;
     let scene = cubes(&[origin()], &lights, &view);
     for part in [Part::Cuboid(0), Part::Light(1)] {
         let change = change(&scene, &view, part);

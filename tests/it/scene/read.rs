@@ -4,8 +4,8 @@ use std::io::Write as _;
 
 use glam::DVec3;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, View, Viewer, Viewpoint,
-    names, ordered,
+    Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, View, Viewer, names,
+    ordered,
 };
 use shadetrade::scene::{BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
 
@@ -32,8 +32,8 @@ fn complaint(argument: &str) -> String {
 }
 
 /// The position and the camera with this index.
-fn viewpoint(scene: &Scene, camera: usize) -> Viewpoint {
-    Viewpoint::of(&scene.world, ordered::<Camera>(&scene.world)[camera])
+fn seen_by(scene: &Scene, camera: usize) -> Camera {
+    Camera::of(&scene.world, ordered::<Camera>(&scene.world)[camera])
 }
 
 fn on(scene: &Scene) -> Vec<bool> {
@@ -75,7 +75,7 @@ fn a_missing_key_has_the_documented_default() {
     let scene = scene(LEAST);
     assert_eq!(record(&scene), expected);
     assert_eq!(View::of(&scene.world, [1, 1]).tolerance, 0.5);
-    let near = viewpoint(&scene, 0).near();
+    let near = seen_by(&scene, 0).near();
     assert!((near - 138.0_f64.sqrt() / 1000.0).abs() < 1e-15);
 }
 
@@ -107,8 +107,8 @@ fn every_key_is_read_and_integers_are_numbers() {
     let scene = scene(MOST);
     assert_eq!(record(&scene), expected);
     assert_eq!(View::of(&scene.world, [1, 1]).background.z, 1.5);
-    let viewpoint = viewpoint(&scene, 0);
-    assert_eq!((viewpoint.camera.fov, viewpoint.near()), (179.0, 3.0));
+    let camera = seen_by(&scene, 0);
+    assert_eq!((camera.fov, camera.near()), (179.0, 3.0));
 }
 
 /// Fuzzing found a shininess of -0.0, which Phong did not treat like 0.
@@ -145,14 +145,13 @@ fn every_built_in_scene_has_the_material_and_the_lights_of_the_first_which_is_th
 
 #[test]
 fn the_bench_scenes_see_the_same_height_in_both_projections() {
-    let [far, close] = ["bench-far", "bench-close"].map(|name| viewpoint(&load(Some(name)), 0));
+    let [far, close] = ["bench-far", "bench-close"].map(|name| seen_by(&load(Some(name)), 0));
     assert_eq!(far.position, DVec3::new(7.0, 5.0, 8.0));
     assert!((close.position - far.position * 0.4).length() < 1e-15);
-    for viewpoint in [far, close] {
-        let camera = viewpoint.camera;
-        let seen = (camera.fov, camera.target, camera.up, viewpoint.near());
+    for camera in [far, close] {
+        let seen = (camera.fov, camera.target, camera.up, camera.near());
         assert_eq!(seen, (40.0, DVec3::ZERO, DVec3::Y, 0.1));
-        let seen = 2.0 * viewpoint.position.length() * 20.0_f64.to_radians().tan();
+        let seen = 2.0 * camera.position.length() * 20.0_f64.to_radians().tan();
         assert!((camera.height - seen).abs() < 1e-4, "{seen}");
     }
 }
@@ -164,10 +163,10 @@ fn the_assignment_s_cuboid_and_cameras_are_where_it_puts_them() {
     assert_eq!(cuboid.size, DVec3::new(20.0, 10.0, 15.0));
     assert_eq!(cuboid.position, cuboid.size / 2.0);
 
-    let [first, second] = [viewpoint(&scene, 0), viewpoint(&scene, 1)];
+    let [first, second] = [seen_by(&scene, 0), seen_by(&scene, 1)];
     assert_eq!(first.position, DVec3::new(0.0, 0.0, 35.0));
     assert_eq!(first.axes()[2], DVec3::NEG_Z);
-    assert_eq!((first.camera.fov, first.camera.height), (126.87, 80.0));
+    assert_eq!((first.fov, first.height), (126.87, 80.0));
     assert_eq!(second.position, DVec3::new(-15.0, -5.0, 10.0));
     assert_eq!(second.axes()[2], DVec3::X);
 }

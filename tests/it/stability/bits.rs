@@ -51,8 +51,8 @@ fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
     let mut views: Vec<View> = views([400, 320]).into_iter().step_by(4).collect();
     for view in &mut views {
         // So near that the frame is drawn on several threads.
-        view.viewpoint.camera.fov = 10.0;
-        view.viewpoint.camera.height = 2.0;
+        view.camera.fov = 10.0;
+        view.camera.height = 2.0;
     }
     for keep in KEEPS {
         for cuboids in [1, 3] {
@@ -75,7 +75,7 @@ fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
     }
     let eye = DVec3::new(0.0, 0.0, 30.0);
     let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic);
-    view.viewpoint.camera.height = 20.0;
+    view.camera.height = 20.0;
     let views = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| view.shaded(mode));
     assert_same_with_threads(&mut world, &views, Keep::Display, 60_000);
 }

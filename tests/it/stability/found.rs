@@ -118,7 +118,7 @@ fn the_shortcut_is_defined_outside_its_triangles() {
     }
     let [eye, target] = [6.5, 3.5].map(|z| DVec3::new(3.5, 3.5, z) * 1e-90);
     let mut view = view([27, 16], eye, target, Projection::Orthographic);
-    view.viewpoint.camera.up = DVec3::ONE;
-    view.viewpoint.camera.height = 8e-90;
+    view.camera.up = DVec3::ONE;
+    view.camera.height = 8e-90;
     assert_defined(&mut world, &view, &[ShadingMode::UnitVectors]);
 }

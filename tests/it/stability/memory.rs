@@ -40,7 +40,7 @@ fn a_warm_frame_on_several_threads_allocates_nothing() {
     let mut frame = Frame::new(Keep::Display, workers);
     let mut view = views([400, 320]).swap_remove(0);
     // The cuboid is so large on the screen that several threads draw it.
-    view.viewpoint.camera.fov = 10.0;
+    view.camera.fov = 10.0;
     systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
     assert!(frame.counts().covered_pixels > 100_000);
     let taken = measure(|| {

@@ -5,7 +5,7 @@ use glam::DVec3;
 use hecs::{Entity, World};
 use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, Viewpoint, WorldTransform, ordered,
+    ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference::{Truth, picture};
@@ -76,6 +76,7 @@ pub fn at(position: DVec3) -> Transform {
 /// A view from `eye` towards `target`, 30 degrees or 6 units high, at tolerance 0.
 pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection) -> View {
     let camera = Camera {
+        position: eye,
         target,
         up: DVec3::Y,
         fov: 30.0,
@@ -84,10 +85,7 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
     };
     View {
         size,
-        viewpoint: Viewpoint {
-            position: eye,
-            camera,
-        },
+        camera,
         projection,
         background: DVec3::new(20.0, 20.0, 24.0),
         turned: 0,
@@ -99,7 +97,7 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
 /// The view of the camera with this index in the file, at tolerance 0.
 pub fn view_from(scene: &Scene, camera: usize, size: [usize; 2]) -> View {
     View {
-        viewpoint: Viewpoint::of(&scene.world, ordered::<Camera>(&scene.world)[camera]),
+        camera: Camera::of(&scene.world, ordered::<Camera>(&scene.world)[camera]),
         ..View::of(&scene.world, size).with_tolerance(0.0)
     }
 }

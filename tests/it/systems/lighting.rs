@@ -33,8 +33,8 @@ fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
         world.spawn((at(centre + *position), *light));
     }
     let mut view = view.clone();
-    view.viewpoint.position += centre;
-    view.viewpoint.camera.target += centre;
+    view.camera.position += centre;
+    view.camera.target += centre;
     let frame = run(&mut world, &view);
     (read::<VertexColors>(&world, cuboid).0, frame)
 }
@@ -105,7 +105,7 @@ fn a_vertex_that_reflects_the_light_to_the_eye_shows_the_highlight() {
         (dvec3(10.0, 10.0, 10.0), 100.0 / 3.0),
     ] {
         let mut view = ahead(Projection::Perspective, [8, 8]).shaded(ShadingMode::Gouraud);
-        view.viewpoint.position = eye;
+        view.camera.position = eye;
         let found = cube(&lights, &view).0[7].x;
         assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
     }

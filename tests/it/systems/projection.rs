@@ -41,7 +41,7 @@ fn the_axis_is_the_middle_of_the_picture_and_half_the_field_of_view_its_edge() {
         let half_angle = (fov / 2.0).to_radians().tan();
         for (projection, half) in PROJECTIONS.into_iter().zip([10.0 * half_angle, fov / 2.0]) {
             let mut view = ahead(projection, [300, 200]);
-            (view.viewpoint.camera.fov, view.viewpoint.camera.height) = (fov, fov);
+            (view.camera.fov, view.camera.height) = (fov, fov);
             // The front face is ten units away, as high as the picture, and half as wide as it is high.
             let size = dvec3(half, 2.0 * half, 2.0);
             for (aside, expected) in [
@@ -112,8 +112,8 @@ fn a_face_is_drawn_everywhere_even_if_its_visible_part_is_tiny() {
                 (dvec3(-70.0, 20.0, 5.0), dvec3(-0.3, 0.1, 0.2)),
             ] {
                 let mut view = ahead(projection, [30, 20]);
-                view.viewpoint.position = dvec3(7.0, 5.0, 8.0);
-                let camera = &mut view.viewpoint.camera;
+                view.camera.position = dvec3(7.0, 5.0, 8.0);
+                let camera = &mut view.camera;
                 (camera.target, camera.fov, camera.height) = (target, least, least);
                 let mut world = World::new();
                 let mut transform = turned(rotation);

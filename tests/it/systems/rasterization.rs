@@ -180,7 +180,7 @@ fn small_faces_of_every_size_cover_all_their_pixels() {
             let place = at(dvec3(shift, shift, 0.0));
             spawn_cuboid(&mut world, dvec3(right, up, 2.0), place, MATERIAL);
             let mut view = ahead(Projection::Orthographic, [40, 40]);
-            view.viewpoint.camera.height = 40.0;
+            view.camera.height = 40.0;
             // Centres between two sides that are so far from the picture's middle.
             let centres = |side: f64, shift: f64| {
                 let [from, to] = [-side / 2.0, side / 2.0].map(|end| (end + shift - 0.5).ceil());

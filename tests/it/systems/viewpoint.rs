@@ -1,4 +1,4 @@
-//! Viewpoint: the view of the viewer, cameras and their orbits, and the lens of a frame.
+//! The view of the viewer, cameras and their orbits, and the lens of a frame.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
@@ -40,7 +40,7 @@ fn moved(scene: &Scene, orbit: Orbit) -> Lens {
 }
 
 fn seen_from(scene: &Scene) -> DVec3 {
-    View::of(&scene.world, [3, 2]).viewpoint.position
+    View::of(&scene.world, [3, 2]).camera.position
 }
 
 #[test]
