@@ -8,7 +8,7 @@ mod band;
 mod draw_list;
 
 use std::iter;
-use std::ops::{AddAssign, Range};
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
@@ -22,8 +22,9 @@ pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens};
 use crate::memory::{self, OutOfMemory};
+pub use crate::shading::Counts;
+use crate::shading::Scratch;
 pub use crate::shading::display::{display_pixel, display_step};
-use crate::shading::{Scratch, TileKind};
 
 /// The SIMD level and the threads that draw.
 pub struct Workers {
@@ -80,41 +81,14 @@ pub fn face(triangle: u32) -> u32 {
     triangle / 2
 }
 
-/// Counts of the work for one frame. They are the same on every machine and for any number of threads.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Pixels covered by a triangle.
-    pub covered_pixels: u64,
-    /// Evaluations of the illumination model, at vertices or pixels.
-    pub model_evaluations: u64,
-    /// Evaluations of a specular power.
-    pub specular_evaluations: u64,
-    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
-    /// a pixel of it is seen, since the strips of a frame may belong to different threads.
-    pub tiles: [u64; TileKind::ALL.len()],
-}
-
-impl AddAssign for Counts {
-    fn add_assign(&mut self, other: Self) {
-        self.covered_pixels += other.covered_pixels;
-        self.model_evaluations += other.model_evaluations;
-        self.specular_evaluations += other.specular_evaluations;
-        for (tiles, more) in self.tiles.iter_mut().zip(other.tiles) {
-            *tiles += more;
-        }
-    }
-}
-
 /// A picture, and the data that the systems derive for all cuboids together. Its memory is reused for the next picture.
 pub struct Frame {
     /// The camera and projection of this frame.
     pub lens: Lens,
-    /// The lights of this frame.
-    pub illumination: Illumination,
     keep: Keep,
     workers: Workers,
     buffers: Buffers,
-    list: DrawList,
+    pub(crate) list: DrawList,
     /// The memory and the counts of each thread.
     scratch: Vec<(Scratch, Counts)>,
     counts: Counts,
@@ -140,7 +114,6 @@ impl Frame {
     pub fn new(keep: Keep, workers: Workers) -> Self {
         Frame {
             lens: Lens::default(),
-            illumination: Illumination::default(),
             keep,
             scratch: iter::repeat_with(Default::default)
                 .take(workers.threads())
@@ -150,6 +123,11 @@ impl Frame {
             list: DrawList::default(),
             counts: Counts::default(),
         }
+    }
+
+    /// The lights of this frame.
+    pub fn illumination(&self) -> &Illumination {
+        &self.list.illumination
     }
 
     /// The threads and the SIMD level that draw it.
@@ -183,7 +161,7 @@ impl Frame {
         self.buffers.triangles.as_slice()
     }
 
-    /// The kind of each pixel's tile: its index in [`TileKind::ALL`], and [`OUTLINE`]. Undefined where no triangle is
+    /// The kind of each pixel's tile: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`]. Undefined where no triangle is
     /// visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
         self.buffers.kinds.as_slice()
@@ -246,20 +224,13 @@ impl Frame {
         Ok(())
     }
 
-    /// Takes the list out of the frame; [`Frame::paint`] puts it back.
-    pub(crate) fn take_list(&mut self) -> DrawList {
-        std::mem::take(&mut self.list)
-    }
-
-    /// Draws the list with `draw`, in bands on all threads if there are several, and adds up the counts. Keeps the memory of
-    /// the list.
+    /// Draws the list with `draw`, in bands on all threads if there are several, and adds up the counts.
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        mut list: DrawList,
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
     ) {
-        let buffers = &mut self.buffers;
+        let (buffers, list) = (&mut self.buffers, &mut self.list);
         if buffers.background != background {
             buffers.background = background;
             buffers.drawn.fill(Drawn::anything(buffers.size[0]));
@@ -276,6 +247,7 @@ impl Frame {
             depths: buffers.depths.as_mut_slice(),
             drawn: &mut buffers.drawn,
         };
+        let list = &self.list;
         let rest = Mutex::new((band, list.cuts.iter()));
         let next = || {
             let (band, cuts) = &mut *rest.lock().unwrap_or_else(PoisonError::into_inner);
@@ -283,7 +255,7 @@ impl Frame {
         };
         let work = |(scratch, counts): &mut (Scratch, Counts)| {
             while let Some(mut band) = next() {
-                *counts += draw(&list, &mut band, scratch);
+                *counts += draw(list, &mut band, scratch);
             }
         };
         match &self.workers.pool {
@@ -295,7 +267,6 @@ impl Frame {
         for (_, counts) in &mut self.scratch {
             self.counts += std::mem::take(counts);
         }
-        self.list = list;
     }
 }
 

@@ -50,8 +50,10 @@ mod surface;
 pub mod unit_vectors;
 
 pub use self::method::{METHODS, Method};
-pub use self::shader::{Evaluations, Scratch, Shader};
+pub use self::shader::{Scratch, Shader};
 pub use self::surface::Surface;
+
+use std::ops::AddAssign;
 
 /// Unit round-off of f32: half the distance from 1 to the next float.
 pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
@@ -101,6 +103,31 @@ impl TileKind {
             TileKind::Terminator => "terminator",
             TileKind::Exact => "exact",
             TileKind::Double => "exact in f64",
+        }
+    }
+}
+
+/// Counts of the work for one frame. They are the same on every machine and for any number of threads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Pixels covered by a triangle.
+    pub covered_pixels: u64,
+    /// Evaluations of the illumination model, at vertices or pixels.
+    pub model_evaluations: u64,
+    /// Evaluations of a specular power.
+    pub specular_evaluations: u64,
+    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
+    /// a pixel of it is seen, since the strips of a frame may belong to different threads.
+    pub tiles: [u64; TileKind::ALL.len()],
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.covered_pixels += other.covered_pixels;
+        self.model_evaluations += other.model_evaluations;
+        self.specular_evaluations += other.specular_evaluations;
+        for (tiles, more) in self.tiles.iter_mut().zip(other.tiles) {
+            *tiles += more;
         }
     }
 }

@@ -7,15 +7,20 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::components::{Material, ShadingMode};
+use crate::components::{Illumination, Material, ShadingMode, WorldTransform};
 use crate::shading::affine::Affine;
-use crate::shading::face::Solid;
+use crate::shading::face::Rays;
 use crate::shading::gloss::Gloss;
 use crate::shading::square::{MAX_SIDE, Spans};
 
-/// The faces of a frame.
+/// Everything that is drawn in a frame.
 #[derive(Debug, Default)]
 pub(crate) struct DrawList {
+    pub rays: Rays,
+    /// The lights that are on.
+    pub illumination: Illumination,
+    /// In levels.
+    pub tolerance: f64,
     /// In the order of drawing.
     pub pieces: Vec<Piece>,
     pub objects: Vec<Object>,
@@ -34,9 +39,9 @@ pub(crate) struct DrawList {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
     pub material: Material,
-    /// Its centre, in world units.
-    pub centre: DVec3,
-    pub solid: Solid,
+    pub place: WorldTransform,
+    /// Half its edges, in world units.
+    pub half: DVec3,
     pub mode: ShadingMode,
     /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
     pub corners: [DVec3; 8],
@@ -54,7 +59,7 @@ pub(crate) struct Piece {
     /// The row of the picture of its first span, and the range of its spans in the list.
     pub row: usize,
     pub spans: Range<usize>,
-    /// See [`crate::shading::face::Plane::nearness`].
+    /// See [`crate::shading::face::nearness`].
     pub nearness: Affine<f64>,
     /// The least and the largest nearness on the visible part of the face. Samples are clamped to it: snapping may put
     /// one just outside an edge-on face, where the nearness of its plane is far off.
@@ -62,7 +67,7 @@ pub(crate) struct Piece {
 }
 
 impl DrawList {
-    /// Empties the list and keeps its memory.
+    /// Removes the cuboids and their faces, and keeps their memory.
     pub fn clear(&mut self) {
         self.pieces.clear();
         self.objects.clear();

@@ -55,7 +55,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::U;
-use super::field::{Field, Lanes, positive};
+use super::field::{Field, positive};
 use super::lanes::dot;
 use super::specular;
 use crate::simd::{four, three, two};
@@ -65,7 +65,7 @@ const ARC: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Bounds on the lengths of the first three derivatives of a unit vector.
 #[inline(always)]
-pub fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
+pub fn direction<S: Simd>([p, q]: [f64x4<S>; 2]) -> [f64x4<S>; 3] {
     const HALF_SECOND: f64 = 0.577_350_269_189_625_8; // 1 / sqrt(3)
     let second = p.min(q * HALF_SECOND) * q * 2.0;
     let third = (p * 2.0).min(q) * q * q * 3.0;
@@ -74,13 +74,13 @@ pub fn direction<S: Simd>([p, q]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
 
 /// Bounds on those of the half-turn about a unit vector.
 #[inline(always)]
-pub fn half_turn<S: Simd>([p, q]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
+pub fn half_turn<S: Simd>([p, q]: [f64x4<S>; 2]) -> [f64x4<S>; 3] {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
 /// Bounds on those of a product whose factors are at most one (Leibniz).
 #[inline(always)]
-pub fn product<S: Simd>(a: [Lanes<S>; 3], b: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
+pub fn product<S: Simd>(a: [f64x4<S>; 3], b: [f64x4<S>; 3]) -> [f64x4<S>; 3] {
     [
         a[0] + b[0],
         a[1] + a[0] * b[0] * 2.0 + b[1],
@@ -90,55 +90,44 @@ pub fn product<S: Simd>(a: [Lanes<S>; 3], b: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
 
 /// The error of the interpolant, for bounds on third derivatives along x and y.
 #[inline(always)]
-pub fn interpolation_error<S: Simd>(third: [Lanes<S>; 2]) -> Lanes<S> {
+pub fn interpolation_error<S: Simd>(third: [f64x4<S>; 2]) -> f64x4<S> {
     let [x, y] = third;
     (x + y + x.min(y) * (2.0 / 3.0)) * (1.0 / 24.0)
 }
 
 /// A bound on the interpolation error of n.l.
 #[inline(always)]
-pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> Lanes<S> {
+pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> f64x4<S> {
     interpolation_error(two!(|axis| product(
         direction(normal.rates[axis]),
         direction(light.rates[axis])
     )[2]))
 }
 
-/// The sign of n.l on four squares.
-pub struct LightSide<S: Simd> {
-    /// n.l at the middle.
-    pub cosine: Lanes<S>,
-    /// n.l > 0 all over.
-    pub lit: mask64x4<S>,
-    /// n.l <= 0 all over.
-    pub dark: mask64x4<S>,
-}
-
 /// The error of the product of two unit vectors in f64: `proofs/side.g`.
 pub(super) const ROUNDING: f64 = 15.0 / (1_u64 << 53) as f64;
 
+/// n.l at the middle; whether n.l > 0 all over the square; and whether n.l <= 0 all over it.
+///
 /// n.l changes by at most the angle that n turns plus the angle that l turns. Each angle is at most asin(radius).
 #[inline(always)]
-pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> LightSide<S> {
+pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> (f64x4<S>, mask64x4<S>, mask64x4<S>) {
     let cosine = dot(&normal.middle, &light.middle);
     let most = (normal.radius + light.radius) * ARC + ROUNDING;
     let bounded = normal.is_direction_bounded() & light.is_direction_bounded();
-    LightSide {
-        cosine,
-        lit: bounded & cosine.simd_gt(most),
-        dark: bounded & cosine.simd_lt(-most),
-    }
+    let [lit, dark] = [cosine.simd_gt(most), cosine.simd_lt(-most)];
+    (cosine, bounded & lit, bounded & dark)
 }
 
 /// The range of s = o.r.
 #[derive(Clone, Copy)]
 pub struct Reflection<S: Simd> {
     /// At most this, which is at most 1.
-    pub most: Lanes<S>,
+    pub most: f64x4<S>,
     /// At least this.
-    pub least: Lanes<S>,
+    pub least: f64x4<S>,
     /// The sine of the angle between o and r, at most, where all directions are bounded.
-    sine: Lanes<S>,
+    sine: f64x4<S>,
 }
 
 /// r turns twice as far as n, and as far as l.
@@ -147,7 +136,7 @@ pub fn reflection<S: Simd>(
     normal: &Field<S>,
     light: &Field<S>,
     eye: &Field<S>,
-    cosine: Lanes<S>,
+    cosine: f64x4<S>,
 ) -> Reflection<S> {
     let simd = cosine.token();
     let (n, l, o) = (&normal.middle, &light.middle, &eye.middle);
@@ -170,7 +159,7 @@ pub fn reflection<S: Simd>(
     //   always:                                cos(theta + t) >= s - |s| t^2 / 2 - sin(theta) t, at most -1 if theta + t > pi
     let turn2 = turn * turn;
     let drop = s.abs() * turn2;
-    let one = Lanes::splat(simd, 1.0);
+    let one = f64x4::splat(simd, 1.0);
     let reached = sine.simd_le(turn * (1.0 - turn2 * (1.0 / 6.0))) & s.simd_gt(0.0);
     let beyond = s - s * turn2 * 0.5 + sine * turn;
     let most = reached.select(one, beyond.min(one));
@@ -229,15 +218,15 @@ impl Highlight {
         light: &Field<S>,
         eye: &Field<S>,
         reflection: &Reflection<S>,
-        power: Lanes<S>,
-    ) -> Lanes<S> {
+        power: f64x4<S>,
+    ) -> f64x4<S> {
         let simd = power.token();
         let [first, second, third] = self.factors;
         let Reflection { most, least, sine } = *reflection;
         // s^(rho-k) <= most^rho / s^k, with the largest s for positive exponents and the least for all.
         let base = if self.bounded { most } else { least };
         let over = 1.0 / base;
-        let [one, other] = two!(|index| Lanes::splat(simd, self.peaks[index]));
+        let [one, other] = two!(|index| f64x4::splat(simd, self.peaks[index]));
         let falls = power * over;
         let falls_sine = (falls * over * sine).min(one);
         let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
@@ -256,16 +245,16 @@ impl Highlight {
             a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
         }));
         let bounded = base.simd_gt(0.0);
-        bounded.select(errors, Lanes::splat(simd, f64::INFINITY))
+        bounded.select(errors, f64x4::splat(simd, f64::INFINITY))
     }
 }
 
 /// An upper bound of s^rho for s of at most 1.
 #[inline(always)]
-pub fn power<S: Simd>(shininess: f32, most: Lanes<S>) -> Lanes<S> {
+pub fn power<S: Simd>(shininess: f32, most: f64x4<S>) -> f64x4<S> {
     let simd = most.token();
     // f32 may round 1 - s up, which would make the power smaller.
-    let one_minus_cos = positive((1.0 - most) * (1.0 - 2.0 * U)).min(Lanes::splat(simd, 1.0));
+    let one_minus_cos = positive((1.0 - most) * (1.0 - 2.0 * U)).min(f64x4::splat(simd, 1.0));
     let mut sixteen = [0.0; 16];
     for (one_minus_cos, own) in sixteen.iter_mut().zip(one_minus_cos.as_array()) {
         *one_minus_cos = *own as f32;
@@ -282,7 +271,7 @@ pub fn power<S: Simd>(shininess: f32, most: Lanes<S>) -> Lanes<S> {
 /// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|, so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x.
 /// Along y alike.
 #[inline(always)]
-pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) -> Lanes<S> {
+pub fn quotient_error<S: Simd>([a, b, c]: [f64x4<S>; 3], [e, g]: [f64x4<S>; 2]) -> f64x4<S> {
     let least = 1.0 - e.abs() - g.abs();
     let fourth = 6.0 / (least * least * least * least);
     let both = (b * g - c * e).abs();
@@ -290,7 +279,7 @@ pub fn quotient_error<S: Simd>([a, b, c]: [Lanes<S>; 3], [e, g]: [Lanes<S>; 2]) 
     let y = ((c - a * g).abs() + both) * g * g * fourth;
     least.simd_gt(0.0).select(
         interpolation_error([x, y]),
-        Lanes::splat(a.token(), f64::INFINITY),
+        f64x4::splat(a.token(), f64::INFINITY),
     )
 }
 

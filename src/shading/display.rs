@@ -22,12 +22,6 @@ pub trait Rows<S: Simd> {
     }
 }
 
-/// Draws the covered pixels of a square.
-pub trait Sink<S: Simd> {
-    /// Draws them with the colours of these rows.
-    fn draw(&mut self, rows: &mut impl Rows<S>);
-}
-
 /// `from`, `from` + 1, ...
 #[inline(always)]
 pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {

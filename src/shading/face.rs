@@ -13,33 +13,20 @@
 //! Everything is computed in f64 relative to the eye, so precision does not depend on the size of the cuboid. Nothing depends
 //! on where the face ends, so clipping changes no value.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::affine::Affine;
-use crate::components::{FACES, Lens, Projection, length};
-
-/// A cuboid as lines of sight meet it.
-#[derive(Clone, Copy, Debug)]
-pub struct Solid {
-    /// Its centre from the eye, in world units.
-    pub centre: DVec3,
-    /// Its own axes in world space.
-    pub axes: DMat3,
-    /// Half its edges, in world units.
-    pub half: DVec3,
-}
+use crate::components::{FACES, Lens, Projection, WorldTransform, length};
 
 /// The lines of sight of a frame, anchored at the picture's middle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Rays {
-    /// The eye, in world units.
-    pub eye: DVec3,
+    pub lens: Lens,
     /// Their start from the eye, and their direction.
     start: Affine,
     direction: Affine,
     /// Towards the eye, of positive length.
     pub to_eye: Affine,
-    pub projection: Projection,
 }
 
 impl Rays {
@@ -60,52 +47,38 @@ impl Rays {
             Projection::Orthographic => (moving, still),
         };
         Rays {
-            eye: lens.eye,
+            lens: *lens,
             start,
             direction,
             to_eye: direction.map(|d| -d),
-            projection: lens.projection,
         }
     }
 }
 
-/// The plane of a face, as lines of sight meet it.
-#[derive(Clone, Copy, Debug)]
-pub struct Plane {
-    /// The unit normal, on the side that is seen.
-    outwards: DVec3,
-    /// w.
-    pub w: Affine<f64>,
-    /// H.
-    height: Affine<f64>,
-    projection: Projection,
+/// The outward unit normal of a face, w and H. `half` are half the cuboid's edges, in world units.
+fn plane(
+    number: usize,
+    place: &WorldTransform,
+    half: DVec3,
+    rays: &Rays,
+) -> (DVec3, Affine<f64>, Affine<f64>) {
+    let across = number / 2;
+    let sign = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let outwards = place.axes.col(across) * sign;
+    let height = Affine {
+        centre: outwards.dot(-(place.position - rays.lens.eye)) - half[across],
+        ..rays.start.map(|o| outwards.dot(o))
+    };
+    (outwards, rays.direction.map(|d| -outwards.dot(d)), height)
 }
 
-impl Plane {
-    /// That of face `number` of a solid, as [`FACES`] counts.
-    pub fn new(number: usize, solid: &Solid, rays: &Rays) -> Self {
-        let across = number / 2;
-        let sign = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let outwards = solid.axes.col(across) * sign;
-        let reach = outwards.dot(-solid.centre) - solid.half[across];
-        Plane {
-            outwards,
-            w: rays.direction.map(|d| -outwards.dot(d)),
-            height: Affine {
-                centre: reach,
-                ..rays.start.map(|o| outwards.dot(o))
-            },
-            projection: rays.projection,
-        }
-    }
-
-    /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the
-    /// eye. Depth is in world units along the view direction.
-    pub fn nearness(&self) -> Affine<f64> {
-        match self.projection {
-            Projection::Perspective => self.w.map(|w| w / self.height.centre),
-            Projection::Orthographic => self.height.map(|h| h / -self.w.centre),
-        }
+/// 1 / depth of a face in perspective, minus its depth in orthographic projection: affine on the screen, and grows towards
+/// the eye. Depth is in world units along the view direction.
+pub fn nearness(number: usize, place: &WorldTransform, half: DVec3, rays: &Rays) -> Affine<f64> {
+    let (_, w, height) = plane(number, place, half, rays);
+    match rays.lens.projection {
+        Projection::Perspective => w.map(|w| w / height.centre),
+        Projection::Orthographic => height.map(|h| h / -w.centre),
     }
 }
 
@@ -120,9 +93,13 @@ const SNAPPING: f64 = 1.0 / 256.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
     pub rays: &'a Rays,
-    pub plane: Plane,
     /// As [`FACES`] counts.
     pub number: usize,
+    /// The unit normal, on the side that is seen.
+    outwards: DVec3,
+    /// w and H.
+    pub w: Affine<f64>,
+    height: Affine<f64>,
     /// u, v and 1, times w: from -1 to 1 along the face's axes.
     pub place: Affine,
     /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
@@ -141,30 +118,32 @@ pub struct Face<'a> {
 }
 
 impl<'a> Face<'a> {
-    /// Face `number` of a solid, as [`FACES`] counts, on the side that is seen.
-    pub fn new(number: usize, solid: &Solid, rays: &'a Rays) -> Self {
+    /// Face `number` of a cuboid, as [`FACES`] counts, on the side that is seen. `half` are half the cuboid's edges, in world
+    /// units.
+    pub fn new(number: usize, place: &WorldTransform, half: DVec3, rays: &'a Rays) -> Self {
         let axis = number / 2;
         let along = [(axis + 1) % 3, (axis + 2) % 3];
-        let plane = Plane::new(number, solid, rays);
+        let (outwards, w, height) = plane(number, place, half, rays);
         let corners = places(number);
+        let centre = place.position - rays.lens.eye;
         let mut face = Face {
             rays,
             number,
+            outwards,
+            w,
+            height,
             place: Affine::default(),
             diagonal: Affine::default(),
             uv_gradient: 0.0,
-            half_height: solid.half[axis],
-            middle: solid.centre + plane.outwards * solid.half[axis],
-            half_edges: along.map(|axis| solid.axes.col(axis) * solid.half[axis]),
+            half_height: half[axis],
+            middle: centre + outwards * half[axis],
+            half_edges: along.map(|axis| place.axes.col(axis) * half[axis]),
             corners,
             // The weight of the second corner is one there and zero on the diagonal.
             across: corners[1].map(|sign| sign / 2.0),
-            plane,
         };
-        let to_centre = face.towards(solid.centre, DVec3::ZERO);
-        let [u, v] =
-            along.map(|axis| to_centre.map(|c| -solid.axes.col(axis).dot(c) / solid.half[axis]));
-        let w = plane.w;
+        let to_centre = face.towards(centre, DVec3::ZERO);
+        let [u, v] = along.map(|axis| to_centre.map(|c| -place.axes.col(axis).dot(c) / half[axis]));
         face.place = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
             dx: DVec3::new(u.dx, v.dx, w.dx),
@@ -203,7 +182,7 @@ impl<'a> Face<'a> {
     /// places: an ulp above the face is above it.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
         let (from, d) = (&self.rays.start, &self.rays.direction);
-        let (w, h) = (&self.plane.w, &self.plane.height);
+        let (w, h) = (&self.w, &self.height);
         let towards = Affine {
             centre: (light - from.centre) * w.centre - d.centre * h.centre,
             dx: light * w.dx - from.dx * w.centre - d.dx * h.centre - d.centre * h.dx,
@@ -212,7 +191,7 @@ impl<'a> Face<'a> {
         if length(light) < length(from_centre) {
             return towards;
         }
-        let across = self.plane.outwards;
+        let across = self.outwards;
         let above = across.dot(from_centre) - self.half_height;
         let along = towards.map(|v| v - across * across.dot(v));
         along + w.map(|w| across * above * w)
@@ -249,12 +228,10 @@ impl<'a> Face<'a> {
     /// line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far end.
     fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
         let Rays {
-            direction,
-            projection,
-            ..
+            lens, direction, ..
         } = self.rays;
-        let (place, w) = (self.place.at(x, y), &self.plane.w);
-        let along = direction.at(x, y) * self.plane.height.at(x, y);
+        let (place, w) = (self.place.at(x, y), &self.w);
+        let along = direction.at(x, y) * self.height.at(x, y);
         let [u, v] = self.half_edges.map(|half| {
             let [foot, step] = [-self.middle, along].map(|v| v.dot(half) / half.length_squared());
             // The w of the end that lies ahead.
@@ -263,7 +240,7 @@ impl<'a> Face<'a> {
         let end = f64::max(u.2, v.2);
         let turned = SNAPPING * w.dx.hypot(w.dy);
         let least = place.z.max(0.0);
-        if *projection == Projection::Perspective && end > least && end - place.z <= turned {
+        if lens.projection == Projection::Perspective && end > least && end - place.z <= turned {
             return [u, v].map(|(foot, step, _)| (foot + step / end).clamp(-1.0, 1.0));
         }
         // Beyond the horizon every place is infinitely far.

@@ -7,13 +7,10 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
 use super::affine::Affine;
-use super::lanes::{Squares, dot};
+use super::lanes::dot;
 use super::square::Square;
 use crate::components::length;
 use crate::simd::{four, inlined, three, two};
-
-/// A number of each of four squares.
-pub type Lanes<S> = f64x4<S>;
 
 /// The largest relative radius of a vector whose direction is bounded.
 pub const MAX_RADIUS: f64 = 0.5;
@@ -25,8 +22,8 @@ pub(super) const CROSS_ERROR: f64 = 1e-7;
 /// The places of four squares: their middles from the picture's middle, and half their extents, in pixels.
 #[derive(Clone, Copy)]
 pub struct Places<S: Simd> {
-    pub middle: [Lanes<S>; 2],
-    pub half: [Lanes<S>; 2],
+    pub middle: [f64x4<S>; 2],
+    pub half: [f64x4<S>; 2],
 }
 
 impl<S: Simd> Places<S> {
@@ -34,7 +31,7 @@ impl<S: Simd> Places<S> {
     #[inline(always)]
     pub fn new(simd: S, [a, b, c, d]: &[Square; 4], origin: [f64; 2]) -> Self {
         let lanes = inlined!(|[a, b, c, d]: [[f64; 2]; 4], axis: usize| {
-            Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
+            f64x4::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
         });
         let middles = [a.middle(), b.middle(), c.middle(), d.middle()];
         let halves = [a.half(), b.half(), c.half(), d.half()];
@@ -47,7 +44,7 @@ impl<S: Simd> Places<S> {
     /// An affine number on the squares: its value at the middle, and its changes from there to the outermost covered pixel
     /// centres, right and down.
     #[inline(always)]
-    pub fn number(&self, [centre, dx, dy]: [f64; 3]) -> [Lanes<S>; 3] {
+    pub fn number(&self, [centre, dx, dy]: [f64; 3]) -> [f64x4<S>; 3] {
         let [x, y] = self.middle;
         [
             x * dx + y * dy + centre,
@@ -60,8 +57,8 @@ impl<S: Simd> Places<S> {
     #[inline(always)]
     pub fn single(simd: S, middle: [f64; 2], half: [f64; 2]) -> Self {
         Places {
-            middle: two!(|axis| Lanes::splat(simd, middle[axis])),
-            half: two!(|axis| Lanes::splat(simd, half[axis])),
+            middle: two!(|axis| f64x4::splat(simd, middle[axis])),
+            half: two!(|axis| f64x4::splat(simd, half[axis])),
         }
     }
 }
@@ -69,15 +66,15 @@ impl<S: Simd> Places<S> {
 /// A vector on four squares: `middle + right x + down y` for x and y from -1 to 1, the middle of length one.
 #[derive(Clone, Copy)]
 pub struct Field<S: Simd> {
-    pub middle: [Lanes<S>; 3],
-    pub right: [Lanes<S>; 3],
-    pub down: [Lanes<S>; 3],
+    pub middle: [f64x4<S>; 3],
+    pub right: [f64x4<S>; 3],
+    pub down: [f64x4<S>; 3],
     /// How far it moves from its value at the middle, at most.
-    pub radius: Lanes<S>,
+    pub radius: f64x4<S>,
     /// A lower bound of its length.
-    pub shortest: Lanes<S>,
+    pub shortest: f64x4<S>,
     /// The bounds p and q of [`super::bound`], along x and along y.
-    pub rates: [[Lanes<S>; 2]; 2],
+    pub rates: [[f64x4<S>; 2]; 2],
 }
 
 impl<S: Simd> Field<S> {
@@ -101,7 +98,7 @@ impl<S: Simd> Field<S> {
         ];
         let along = [dot(&middle, &right), dot(&middle, &down)];
         // |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
-        let rates = inlined!(|along: Lanes<S>, length: Lanes<S>| {
+        let rates = inlined!(|along: f64x4<S>, length: f64x4<S>| {
             let cross = positive(length * length - along * along).sqrt() + parallelogram;
             let q = length * most;
             let p = (cross + length * CROSS_ERROR) * most * most;
@@ -126,27 +123,27 @@ impl<S: Simd> Field<S> {
 
     /// The error of its direction in f32, in units of U; [`super::rounding`] derives it.
     #[inline(always)]
-    pub fn rounding(&self) -> Lanes<S> {
-        let infinite = Lanes::splat(self.radius.token(), f64::INFINITY);
+    pub fn rounding(&self) -> f64x4<S> {
+        let infinite = f64x4::splat(self.radius.token(), f64::INFINITY);
         let error = (self.radius * 6.0 + 3.0) / self.shortest;
         self.shortest.simd_gt(0.0).select(error, infinite)
     }
 
     /// The vector in f32, by square.
     #[inline(always)]
-    pub fn squares(&self) -> [Squares; 3] {
+    pub fn squares(&self) -> [[[f32; 4]; 3]; 3] {
         three!(|axis| single([self.middle[axis], self.right[axis], self.down[axis]]))
     }
 }
 
 /// An affine number in f32, by square.
 #[inline(always)]
-pub fn single<S: Simd>(number: [Lanes<S>; 3]) -> Squares {
+pub fn single<S: Simd>(number: [f64x4<S>; 3]) -> [[f32; 4]; 3] {
     three!(|term| four!(|square| number[term].as_array()[square] as f32))
 }
 
 /// The number, or zero where it is negative.
 #[inline(always)]
-pub fn positive<S: Simd>(number: Lanes<S>) -> Lanes<S> {
-    number.max(Lanes::splat(number.token(), 0.0))
+pub fn positive<S: Simd>(number: f64x4<S>) -> f64x4<S> {
+    number.max(f64x4::splat(number.token(), 0.0))
 }

@@ -1,10 +1,9 @@
 //! The constants of a material's highlights, which are the same in every square.
 
-use fearless_simd::Simd;
 use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f64x4};
 
 use super::bound::Highlight;
-use super::field::Lanes;
 use super::limit;
 use super::surface::Surface;
 use crate::components::Material;
@@ -74,10 +73,10 @@ impl Gloss {
     /// below 1, pixels with s < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the slope is at most
     /// that at s = `DOUBT` / 2.
     #[inline(always)]
-    pub fn propagated<S: Simd>(&self, chord: Lanes<S>) -> Lanes<S> {
+    pub fn propagated<S: Simd>(&self, chord: f64x4<S>) -> f64x4<S> {
         /// sqrt(2) times this many roundings are less than half of [`DOUBT`].
         const MOST: f64 = 2e4;
-        let infinite = Lanes::splat(chord.token(), f64::INFINITY);
+        let infinite = f64x4::splat(chord.token(), f64::INFINITY);
         let error = (chord + 4.0) * self.steepest + 4.0;
         chord.simd_lt(MOST).select(error, infinite)
     }
@@ -138,7 +137,7 @@ mod tests {
     }
 
     fn propagated(gloss: &Gloss, chord: f64) -> f64 {
-        gloss.propagated(Lanes::splat(token(), chord)).as_array()[0]
+        gloss.propagated(f64x4::splat(token(), chord)).as_array()[0]
     }
 
     #[test]

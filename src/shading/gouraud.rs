@@ -5,15 +5,15 @@
 //! are evaluated by the same lines.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, mask64x4};
+use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
 use super::face::Face;
-use super::field::{Lanes, Places, single};
+use super::field::{Places, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{LaneLayout, Squares};
+use super::lanes::LaneLayout;
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
@@ -30,11 +30,11 @@ pub struct Gouraud<'a> {
 /// The colours of a face on four squares: affine numbers, over w at the middle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TileColors {
-    w: Squares,
+    w: [[f32; 4]; 3],
     /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
-    before: Squares,
+    before: [[f32; 4]; 3],
     /// By triangle and channel.
-    colors: [[Squares; 3]; 2],
+    colors: [[[[f32; 4]; 3]; 3]; 2],
     /// The sets of squares, a bit each, that meet each triangle.
     meets: [u64; 2],
     /// The set of squares on which levels in f32 keep the tolerance.
@@ -50,7 +50,7 @@ impl TileColors {
         at: LaneLayout,
         place: [f32x16<S>; 2],
     ) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &Squares| at.number(of, place));
+        let affine = inlined!(|of: &[[f32; 4]; 3]| at.number(of, place));
         let inverse = 1.0 / affine(&self.w);
         let [first, second] = &self.colors;
         if !at.any(self.meets[1]) {
@@ -100,8 +100,8 @@ impl<'a> Gouraud<'a> {
         interpolate: bool,
         tile: &mut TileColors,
     ) -> (Option<Interpolant<S>>, u64) {
-        let number = inlined!(|number: f64| Lanes::splat(simd, number));
-        let [middle, right, down] = places.number(self.face.plane.w.terms());
+        let number = inlined!(|number: f64| f64x4::splat(simd, number));
+        let [middle, right, down] = places.number(self.face.w.terms());
         let inverse = 1.0 / middle;
         let [e, g] = [right * inverse, down * inverse];
         let scaled = inlined!(|terms: [f64; 3]| {

@@ -11,11 +11,9 @@
 //! time, and without linear rows 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, mask64x4};
+use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
-use super::display::Sink;
-use super::field::Lanes;
-use super::rows::{Color, Curve, Ramp};
+use super::rows::{Curve, Ramp};
 use super::square::Square;
 use super::{TileKind, U};
 use crate::simd::{four, three};
@@ -26,12 +24,9 @@ pub const NODE: f64 = 0.866_025_403_784_438_6;
 /// The factor by which interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three nodes.
 pub const LEBESGUE: f64 = 25.0 / 9.0;
 
-/// A channel's samples by row and column, or its coefficients by power of y and of x, on four squares.
-pub type Nine<S> = [[Lanes<S>; 3]; 3];
-
 /// The coefficients of the quadratic through samples at the nodes.
 #[inline(always)]
-fn quadratic<S: Simd>([left, middle, right]: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
+fn quadratic<S: Simd>([left, middle, right]: [f64x4<S>; 3]) -> [f64x4<S>; 3] {
     [
         middle,
         (right - left) * (0.5 / NODE),
@@ -39,9 +34,9 @@ fn quadratic<S: Simd>([left, middle, right]: [Lanes<S>; 3]) -> [Lanes<S>; 3] {
     ]
 }
 
-/// The coefficients of the biquadratic through nine samples.
+/// The coefficients of the biquadratic, by power of y and of x, through nine samples by row and column.
 #[inline(always)]
-pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
+pub fn biquadratic<S: Simd>(samples: &[[f64x4<S>; 3]; 3]) -> [[f64x4<S>; 3]; 3] {
     let rows = three!(|j| quadratic(samples[j]));
     let columns = three!(|i| quadratic([rows[0][i], rows[1][i], rows[2][i]]));
     three!(|j| three!(|i| columns[i][j]))
@@ -52,7 +47,7 @@ pub fn biquadratic<S: Simd>(samples: &Nine<S>) -> Nine<S> {
 pub fn sampled<S: Simd>(
     simd: S,
     sample: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 4],
-) -> [Nine<S>; 4] {
+) -> [[[f64x4<S>; 3]; 3]; 4] {
     let node = NODE as f32;
     // Lanes by node and square; the last four are not used.
     let mut x = [0.0; 16];
@@ -64,7 +59,7 @@ pub fn sampled<S: Simd>(
         let samples = three!(|row| three!(|column| {
             let lanes = rows[row][channel].as_array();
             let samples = four!(|square| f64::from(lanes[4 * column + square]));
-            Lanes::simd_from(simd, samples)
+            f64x4::simd_from(simd, samples)
         }));
         biquadratic(&samples)
     })
@@ -89,34 +84,27 @@ const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
 
 /// Colours of four squares, x and y from -1 to 1 over each, and how each square is drawn.
 pub struct Interpolant<S: Simd> {
-    /// Three channels, then n.l of the light whose terminator crosses the square. Each pixel takes max(0, n.l), which does not
+    /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square. Each pixel takes max(0, n.l), which does not
     /// enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
-    terms: [Nine<S>; 4],
+    terms: [[[f64x4<S>; 3]; 3]; 4],
     /// The factors of that, in levels.
-    crossing: [Lanes<S>; 3],
+    crossing: [f64x4<S>; 3],
     /// None where the budget does not suffice or a sample is not a number.
-    pub forms: [Option<Form>; 4],
-}
-
-/// How one square is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Form {
-    /// Constant, linear, quadratic or terminator.
-    pub kind: TileKind,
-    /// Whether in multiples of 1/256 level.
-    fixed: bool,
+    pub kinds: [Option<TileKind>; 4],
+    /// The set of squares, a bit each, that are drawn in multiples of 1/256 level.
+    fixed: u64,
 }
 
 impl<S: Simd> Interpolant<S> {
-    /// The cheapest rows that stay within the budget: the rest of the tolerance. A square with nothing left has no form.
+    /// The cheapest rows that stay within the budget: the rest of the tolerance. A square with nothing left has no kind.
     #[inline(always)]
     pub fn new(
-        terms: [Nine<S>; 4],
-        crossing: [Lanes<S>; 3],
+        terms: [[[f64x4<S>; 3]; 3]; 4],
+        crossing: [f64x4<S>; 3],
         crosses: mask64x4<S>,
-        budget: Lanes<S>,
+        budget: f64x4<S>,
     ) -> Self {
-        let zero = Lanes::splat(budget.token(), 0.0);
+        let zero = f64x4::splat(budget.token(), 0.0);
         let [mut size, mut error, mut flat_error] = [zero; 3];
         let mut inside = budget.simd_gt(0.0);
         // A maximum may lose a NaN, so finiteness is tested on its own.
@@ -147,11 +135,10 @@ impl<S: Simd> Interpolant<S> {
         let fixed = inside & left.simd_gt(FIXED);
         let allowed = fixed.select(left - FIXED, left);
         let possible = (finite & left.simd_gt(0.0)).to_bitmask();
-        let steps = fixed.to_bitmask();
         let crosses = crosses.to_bitmask();
         let curved = error.simd_gt(allowed).to_bitmask();
         let sloped = flat_error.simd_gt(allowed).to_bitmask();
-        let forms = four!(|index| {
+        let kinds = four!(|index| {
             let is = |set: u64| set >> index & 1 == 1;
             let kind = if is(crosses) {
                 TileKind::Terminator
@@ -162,60 +149,62 @@ impl<S: Simd> Interpolant<S> {
             } else {
                 TileKind::Constant
             };
-            let fixed = is(steps) && !is(crosses);
-            is(possible).then_some(Form { kind, fixed })
+            is(possible).then_some(kind)
         });
         Interpolant {
             terms,
             crossing,
-            forms,
+            kinds,
+            fixed: fixed.to_bitmask() & !crosses,
         }
     }
 
-    /// The colour of one of the squares in a form, where a unit is `x` and `y` half extents.
+    /// The rows of one of the squares if it is constant or linear, in multiples of 1/256 level.
     #[inline(always)]
-    fn color(&self, index: usize, form: Form, [x, y]: [f64; 2]) -> Color {
+    pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
+        let is_linear = matches!(
+            self.kinds[index],
+            Some(TileKind::Constant | TileKind::Linear)
+        );
+        (is_linear && self.fixed >> index & 1 == 1).then(|| {
+            Ramp::new(
+                simd,
+                &self.color(index, square),
+                square.first(),
+                square.side,
+            )
+        })
+    }
+
+    /// The rows of one of the squares in any case.
+    #[inline(always)]
+    pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
+        let crossing = (self.kinds[index] == Some(TileKind::Terminator))
+            .then(|| three!(|channel| self.crossing[channel].as_array()[index] as f32));
+        let fixed = self.fixed >> index & 1 == 1;
+        let color = self.color(index, square);
+        Curve::new(simd, &color, square.first(), fixed, crossing)
+    }
+
+    /// The channels of one of the squares by power of y and of x, in pixels from its middle.
+    #[inline(always)]
+    fn color(&self, index: usize, square: &Square) -> [[[f64; 3]; 3]; 4] {
+        let [x, y] = square.half().map(|half| 1.0 / half);
         let mut color = [[[0.0; 3]; 3]; 4];
         for channel in 0..4 {
             let c = three!(|j| three!(|i| self.terms[channel][j][i].as_array()[index]));
             // The middles of the ranges of x^2 and y^2 take their place.
             let middle = c[0][0] + (c[0][2] + c[2][0]) * 0.5 + c[2][2] * 0.25;
             let [right, down] = [c[0][1] + c[2][1] * 0.5, c[1][0] + c[1][2] * 0.5];
-            let c = match form.kind {
-                TileKind::Constant => [[middle, 0.0, 0.0], [0.0; 3], [0.0; 3]],
-                TileKind::Linear => [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]],
+            let c = match self.kinds[index] {
+                Some(TileKind::Constant) => [[middle, 0.0, 0.0], [0.0; 3], [0.0; 3]],
+                Some(TileKind::Linear) => [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]],
                 _ => c,
             };
             let scales = [[1.0, x, x * x], [1.0, y, y * y]];
             color[channel] = three!(|j| three!(|i| c[j][i] * (scales[0][i] * scales[1][j])));
         }
         color
-    }
-}
-
-/// Draws one of the squares of an interpolant.
-#[inline(always)]
-pub fn draw<S: Simd>(
-    simd: S,
-    interpolant: &Interpolant<S>,
-    index: usize,
-    form: Form,
-    square: &Square,
-    sink: &mut impl Sink<S>,
-) {
-    let color = interpolant.color(index, form, square.half().map(|half| 1.0 / half));
-    if form.fixed && matches!(form.kind, TileKind::Constant | TileKind::Linear) {
-        sink.draw(&mut Ramp::new(simd, &color, square.first(), square.side));
-    } else {
-        let crossing = (form.kind == TileKind::Terminator)
-            .then(|| three!(|channel| interpolant.crossing[channel].as_array()[index] as f32));
-        sink.draw(&mut Curve::new(
-            simd,
-            &color,
-            square.first(),
-            form.fixed,
-            crossing,
-        ));
     }
 }
 

@@ -13,10 +13,6 @@ pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// An affine number on four squares: its values at their middles, and its changes from there to the outermost covered pixel
-/// centres, right and down. A vector is three such numbers; its length at the middle is one.
-pub type Squares = [[f32; 4]; 3];
-
 /// Which squares the sixteen lanes belong to.
 #[derive(Clone, Copy)]
 pub enum LaneLayout {
@@ -49,9 +45,10 @@ impl LaneLayout {
         }
     }
 
-    /// An affine number at places on the squares, x and y from -1 to 1.
+    /// An affine number at places on the squares, x and y from -1 to 1. It is given for each square: its value at the middle,
+    /// and its changes from there to the outermost covered pixel centres, right and down.
     #[inline(always)]
-    pub fn number<S: Simd>(self, of: &Squares, [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
+    pub fn number<S: Simd>(self, of: &[[f32; 4]; 3], [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
         let [middle, right, down] = three!(|term| self.lanes(x.token(), &of[term]));
         x * right + (y * down + middle)
     }

@@ -16,11 +16,11 @@
 //! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, mask64x4};
+use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
-use super::field::{Field, Lanes, Places};
+use super::field::{Field, Places};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{LaneLayout, Squares, dot};
+use super::lanes::{LaneLayout, dot};
 use super::phong::Phong;
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
@@ -43,7 +43,7 @@ pub struct TileLight {
     /// Where n.l may change its sign and its highlight is not drawn. An interpolated square may have one such light.
     pub crosses: u64,
     /// w (L - P).
-    pub vector: [Squares; 3],
+    pub vector: [[[f32; 4]; 3]; 3],
     /// Where |n.l| is smaller than this, the sign of n.l is in doubt and the highlight may jump.
     pub doubt: [f32; 4],
 }
@@ -52,8 +52,8 @@ pub struct TileLight {
 #[derive(Clone, Debug, Default)]
 pub struct TileLights {
     pub lights: Vec<TileLight>,
-    pub normal: [Squares; 3],
-    pub eye: [Squares; 3],
+    pub normal: [[[f32; 4]; 3]; 3],
+    pub eye: [[[f32; 4]; 3]; 3],
     /// Where any highlight is drawn.
     pub shines: u64,
     /// The set of squares on which levels in f32 keep the tolerance.
@@ -101,11 +101,11 @@ impl Phong<'_> {
         places: &Places<S>,
         interpolate: bool,
         tile: &mut TileLights,
-    ) -> (Lanes<S>, u64) {
-        let [middle, right, down] = places.number(self.face.plane.w.terms());
+    ) -> (f64x4<S>, u64) {
+        let [middle, right, down] = places.number(self.face.w.terms());
         let least = middle - right.abs() - down.abs();
         let simd = least.token();
-        let number = inlined!(|number: f64| Lanes::splat(simd, number));
+        let number = inlined!(|number: f64| f64x4::splat(simd, number));
         let [zero, one] = [number(0.0), number(1.0)];
         let none = mask64x4::splat(simd, false);
         let normal = Field::new(&self.normal, places);
@@ -122,8 +122,8 @@ impl Phong<'_> {
         tile.lights.clear();
         for (index, light) in self.lights.iter().enumerate() {
             let to_light = Field::new(&light.towards, places);
-            let side = bound::side(&normal, &to_light);
-            if side.dark.all_true() {
+            let (cosine, lit, dark) = bound::side(&normal, &to_light);
+            if dark.all_true() {
                 continue;
             }
             let [diffuse, specular] = [number(light.most[0]), number(light.most[1])];
@@ -131,17 +131,17 @@ impl Phong<'_> {
             let (mut shines, mut error, mut doubt) = (none, zero, zero);
             if light.most[0] > 0.0 {
                 let error = rounding.cosine(&to_light);
-                rounding.add(side.dark.select(zero, diffuse), error);
+                rounding.add(dark.select(zero, diffuse), error);
             }
             if light.most[1] > 0.0 {
-                let reflection = bound::reflection(&normal, &to_light, &eye, side.cosine);
-                shines = reflection.most.simd_gt(self.gloss.least) & !side.dark;
-                lost += (shines | side.dark).select(zero, number(self.gloss.faint));
+                let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
+                shines = reflection.most.simd_gt(self.gloss.least) & !dark;
+                lost += (shines | dark).select(zero, number(self.gloss.faint));
                 let any_shines = shines.any_true();
                 if any_shines {
                     let error = self.gloss.propagated(rounding.chord(&to_light)) + POWER_ERROR;
                     rounding.add(shines.select(specular, zero), error);
-                    let certain = side.lit | !shines;
+                    let certain = lit | !shines;
                     doubt = certain.select(zero, rounding.cosine(&to_light) * U);
                 }
                 if is_bounded {
@@ -158,20 +158,20 @@ impl Phong<'_> {
             if interpolate {
                 // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
                 let idle = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-                cut = !(side.lit | side.dark | idle | shines | crossed);
+                cut = !(lit | dark | idle | shines | crossed);
                 crossed |= cut;
-                let sure = to_light.is_direction_bounded() & (side.lit | side.dark | idle | cut);
+                let sure = to_light.is_direction_bounded() & (lit | dark | idle | cut);
                 unsure += sure.select(zero, one);
                 bounded &= sure;
                 if is_bounded {
                     error += bound::cosine_error(&normal, &to_light) * diffuse;
-                    budget -= side.dark.select(zero, error);
+                    budget -= dark.select(zero, error);
                 }
             }
             tile.shines |= shines.to_bitmask();
             tile.lights.push(TileLight {
                 light: index,
-                dark: side.dark.to_bitmask(),
+                dark: dark.to_bitmask(),
                 shines: shines.to_bitmask(),
                 crosses: cut.to_bitmask(),
                 vector: to_light.squares(),
@@ -187,8 +187,8 @@ impl Phong<'_> {
 
     /// Colours of four squares through samples at nine nodes.
     #[inline(always)]
-    fn sample<S: Simd>(&self, simd: S, tile: &TileLights, budget: Lanes<S>) -> Interpolant<S> {
-        let zero = Lanes::splat(simd, 0.0);
+    fn sample<S: Simd>(&self, simd: S, tile: &TileLights, budget: f64x4<S>) -> Interpolant<S> {
+        let zero = f64x4::splat(simd, 0.0);
         let sample = inlined!(|place| self.levels(simd, tile, LaneLayout::Nodes, place));
         let terms = sampled(simd, sample);
         let mut crossing = [zero; 3];
@@ -197,7 +197,7 @@ impl Phong<'_> {
             let own = mask64x4::from_bitmask(simd, on.crosses);
             let diffuse = self.lights[on.light].diffuse;
             crossing = three!(|channel| {
-                let levels = Lanes::splat(simd, f64::from(diffuse[channel]));
+                let levels = f64x4::splat(simd, f64::from(diffuse[channel]));
                 own.select(levels, crossing[channel])
             });
             crosses |= own;
@@ -214,7 +214,8 @@ impl Phong<'_> {
         place: [f32x16<S>; 2],
     ) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
-        let vector = inlined!(|of: &[Squares; 3]| { three!(|axis| at.number(&of[axis], place)) });
+        let vector =
+            inlined!(|of: &[[[f32; 4]; 3]; 3]| { three!(|axis| at.number(&of[axis], place)) });
         let unit = inlined!(|vector: [f32x16<S>; 3]| {
             let inverse = 1.0 / dot(&vector, &vector).sqrt();
             three!(|axis| vector[axis] * inverse)

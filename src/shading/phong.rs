@@ -28,7 +28,7 @@ impl FaceLight {
     fn new(face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) -> Option<Self> {
         let coefficients = surface.coefficients(light);
         let most = coefficients.map(DVec3::max_element);
-        let position = light.position - face.rays.eye;
+        let position = light.position - face.rays.lens.eye;
         if most == [0.0; 2] || face.is_behind(position, normals) {
             return None;
         }
@@ -89,7 +89,7 @@ impl<'a> Phong<'a> {
         let ([u, v], is_clamped) = face.place_at(x, y);
         // A clamped place is not where the line of sight through the pixel meets the plane.
         let point = face.from_eye([u, v]);
-        let is_turned = is_clamped && face.rays.projection == Projection::Perspective;
+        let is_turned = is_clamped && face.rays.lens.projection == Projection::Perspective;
         let to_eye = if is_turned {
             -point
         } else {
@@ -97,7 +97,7 @@ impl<'a> Phong<'a> {
         };
         let normal = unit(self.normals.at(u, v));
         self.surface.sum(normal, unit(to_eye), |light| {
-            let from_eye = light.position - face.rays.eye;
+            let from_eye = light.position - face.rays.lens.eye;
             unit(if is_clamped {
                 from_eye - point
             } else {

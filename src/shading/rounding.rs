@@ -3,11 +3,11 @@
 //! All roundings of every light and of the sum are counted, in units of U. Unit tests compare the counts with a running error
 //! analysis, and `proofs/` derives the constants.
 
-use fearless_simd::Simd;
 use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f64x4};
 
 use super::U;
-use super::field::{Field, Lanes};
+use super::field::Field;
 
 /// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`. Of a normal of any
 /// length it is 10.05: `proofs/cosine.g`.
@@ -46,19 +46,19 @@ pub const CHORD: f64 = 50.0;
 /// away on.
 pub struct Rounding<S: Simd> {
     /// Direction errors of n and o.
-    normal: Lanes<S>,
-    eye: Lanes<S>,
+    normal: f64x4<S>,
+    eye: f64x4<S>,
     /// Errors of the terms so far, the largest sum of their levels, and their number.
-    error: Lanes<S>,
-    largest: Lanes<S>,
-    terms: Lanes<S>,
+    error: f64x4<S>,
+    largest: f64x4<S>,
+    terms: f64x4<S>,
 }
 
 impl<S: Simd> Rounding<S> {
     /// For the normal, the eye, and a sum that starts with `ambient` levels.
     #[inline(always)]
     pub fn new(normal: &Field<S>, eye: &Field<S>, ambient: f64) -> Self {
-        let lanes = |number| Lanes::splat(normal.radius.token(), number);
+        let lanes = |number| f64x4::splat(normal.radius.token(), number);
         Rounding {
             normal: normal.rounding(),
             eye: eye.rounding(),
@@ -70,20 +70,20 @@ impl<S: Simd> Rounding<S> {
 
     /// The error of n.l.
     #[inline(always)]
-    pub fn cosine(&self, light: &Field<S>) -> Lanes<S> {
+    pub fn cosine(&self, light: &Field<S>) -> f64x4<S> {
         self.normal + light.rounding() + COSINE
     }
 
     /// The error of |r - o|.
     #[inline(always)]
-    pub fn chord(&self, light: &Field<S>) -> Lanes<S> {
+    pub fn chord(&self, light: &Field<S>) -> f64x4<S> {
         self.normal * 2.0 + light.rounding() + self.eye + CHORD
     }
 
     /// Adds a term of at most these levels, whose factor of at most 1 has this error.
     #[inline(always)]
-    pub fn add(&mut self, levels: Lanes<S>, error: Lanes<S>) {
-        let zero = Lanes::splat(levels.token(), 0.0);
+    pub fn add(&mut self, levels: f64x4<S>, error: f64x4<S>) {
+        let zero = f64x4::splat(levels.token(), 0.0);
         let any = levels.simd_gt(zero);
         self.error += any.select(levels * error, zero);
         self.largest += levels;
@@ -92,7 +92,7 @@ impl<S: Simd> Rounding<S> {
 
     /// A bound in levels.
     #[inline(always)]
-    pub fn levels(&self) -> Lanes<S> {
+    pub fn levels(&self) -> f64x4<S> {
         (self.error + self.largest * (self.terms + 5.0)) * U
     }
 }
@@ -149,7 +149,7 @@ mod tests {
         Field::new(&Affine { centre, dx, dy }, &places)
     }
 
-    fn one(lanes: Lanes<Baseline>) -> f64 {
+    fn one(lanes: f64x4<Baseline>) -> f64 {
         lanes.as_array()[0]
     }
 
@@ -265,7 +265,7 @@ mod tests {
             let mut count = Rounding::new(&steady, &steady, ambient);
             let mut sum = Rounded::stored(ambient);
             for &levels in &terms {
-                count.add(Lanes::splat(token(), levels), count.cosine(&steady));
+                count.add(f64x4::splat(token(), levels), count.cosine(&steady));
                 sum = sum + Rounded::stored(levels) * Rounded::exact(1.0);
             }
             let own = terms.iter().sum::<f64>() * one(count.cosine(&steady)) * U;

@@ -7,9 +7,6 @@ use super::display::{Rows, counted, display};
 use super::square::{MAX_SIDE, Square};
 use crate::simd::{three, two};
 
-/// The colour of one square, and n.l of the light that is cut off: `c[j][i]` for x^i y^j.
-pub type Color = [[[f64; 3]; 3]; 4];
-
 /// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
 /// low bits.
 const PLACES: f32 = 49_152.0;
@@ -28,9 +25,10 @@ pub struct Ramp<S: Simd> {
 }
 
 impl<S: Simd> Ramp<S> {
-    /// `color` in pixels from a square's middle, `left` and `top` the first of its pixels from there.
+    /// `color` by channel and power of y and of x, in pixels from a square's middle; `left` and `top` the first of its pixels
+    /// from there.
     #[inline(always)]
-    pub fn new(simd: S, color: &Color, [left, top]: [f64; 2], side: usize) -> Self {
+    pub fn new(simd: S, color: &[[[f64; 3]; 3]; 4], [left, top]: [f64; 2], side: usize) -> Self {
         let mut starts = [[0; MAX_SIDE]; 2];
         for first in (0..side).step_by(16) {
             let y = counted(simd, first) + top as f32;
@@ -102,11 +100,11 @@ pub struct Curve<S: Simd> {
 }
 
 impl<S: Simd> Curve<S> {
-    /// `color` in pixels from a middle, `first` the square's first pixel from there.
+    /// `color` by channel, n.l last, and power of y and of x, in pixels from a square's middle; `first` its first pixel from there.
     #[inline(always)]
     pub fn new(
         simd: S,
-        color: &Color,
+        color: &[[[f64; 3]; 3]; 4],
         first: [f64; 2],
         fixed: bool,
         crossing: Option<[f32; 3]>,

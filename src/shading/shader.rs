@@ -3,8 +3,7 @@
 use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
-use super::TileKind;
-use super::display::Sink;
+use super::display::Rows;
 use super::face::Face;
 use super::field::Places;
 use super::gouraud::{Gouraud, TileColors};
@@ -16,6 +15,7 @@ use super::pixels::Pixels;
 use super::rows::Pointwise;
 use super::square::{MIN_SIDE, Square};
 use super::unit_vectors::UnitVectors;
+use super::{Counts, TileKind};
 use crate::simd::{inlined, outlined};
 
 /// Shades a face in one of the modes.
@@ -54,7 +54,7 @@ impl Shader<'_> {
     }
 
     /// Evaluates the pixels in the scratch, which are of the square at `index` of those prepared last: in f32 where that keeps
-    /// the tolerance, else in f64. Returns None where that may be cheaper on the quarters of the square.
+    /// the tolerance, else in f64. Returns false, and evaluates none, where that may be cheaper on the quarters of the square.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
@@ -62,40 +62,39 @@ impl Shader<'_> {
         picture: [f64; 2],
         index: usize,
         scratch: &mut Scratch,
-    ) -> Option<Evaluations> {
-        let highlights = self.highlights(index, scratch);
+    ) -> bool {
+        let in_f32 = self.highlights(index, scratch).is_some();
         let (pixels, tile, colors) = (&mut scratch.pixels, &scratch.tile, &scratch.colors);
-        if highlights.is_some() {
+        if in_f32 {
             let levels = inlined!(|place| self.levels(simd, (tile, colors), index, place));
             outlined!(simd, pixels.evaluate(simd, square.half(), levels));
         } else if square.side > MIN_SIDE {
-            return None;
+            return false;
         }
         let middle = square.middle_from(picture);
-        pixels.define(middle, highlights.is_none(), |x, y| self.define(x, y));
-        Some(self.evaluations(highlights, pixels.count()))
+        pixels.define(middle, !in_f32, |x, y| self.define(x, y));
+        true
     }
 
-    /// Draws a square that is seen all over, as [`Self::evaluate`] does but by rows, if f32 suffices for all of its pixels.
-    /// Without rows, frames at tolerance 0 take 20 to 40 % longer.
-    pub fn fill<S: Simd>(
+    /// The rows of a square that is covered all over, with the levels that [`Self::evaluate`] finds, if f32 suffices for all
+    /// of its pixels. Without rows, frames at tolerance 0 take 20 to 40 % longer.
+    #[inline(always)]
+    pub fn rows<S: Simd>(
         &self,
         simd: S,
         square: &Square,
         index: usize,
         scratch: &Scratch,
-        sink: &mut impl Sink<S>,
-    ) -> Option<Evaluations> {
-        let highlights = self.highlights(index, scratch)?;
+    ) -> Option<impl Rows<S>> {
+        self.highlights(index, scratch)?;
         let (tile, colors) = (&scratch.tile, &scratch.colors);
         if let Shader::Phong(phong) = self
             && !phong.has_signs(tile, index)
         {
             return None;
         }
-        let levels = inlined!(|place| self.levels(simd, (tile, colors), index, place));
-        outlined!(simd, sink.draw(&mut Pointwise::new(simd, square, levels)));
-        Some(self.evaluations(Some(highlights), square.pixels))
+        let levels = inlined!(move |place| self.levels(simd, (tile, colors), index, place));
+        Some(Pointwise::new(simd, square, levels))
     }
 
     /// The levels in f32 at places on the square at `index`, x and y from -1 to 1.
@@ -126,18 +125,23 @@ impl Shader<'_> {
         }
     }
 
-    /// The work of some pixels with so many highlights each in f32, or with all of them in f64 if that is None.
-    fn evaluations(&self, highlights: Option<usize>, pixels: usize) -> Evaluations {
+    /// Counts pixels that were evaluated on the square at `index`, and returns how.
+    pub fn count(
+        &self,
+        index: usize,
+        pixels: usize,
+        scratch: &Scratch,
+        counts: &mut Counts,
+    ) -> TileKind {
+        let highlights = self.highlights(index, scratch);
         let (model, powers) = match self {
             Shader::Gouraud(_) => (0, 0),
             Shader::Phong(phong) => (1, phong.surface.powers()),
             Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
         };
-        Evaluations {
-            kind: highlights.map_or(TileKind::Double, |_| TileKind::Exact),
-            model: model * pixels as u64,
-            specular: (pixels * highlights.unwrap_or(powers)) as u64,
-        }
+        counts.model_evaluations += model * pixels as u64;
+        counts.specular_evaluations += (pixels * highlights.unwrap_or(powers)) as u64;
+        highlights.map_or(TileKind::Double, |_| TileKind::Exact)
     }
 
     /// The levels that the mode defines, in f64, `x` pixels right and `y` pixels down of the picture's middle.
@@ -157,17 +161,6 @@ impl Shader<'_> {
             Shader::UnitVectors(vectors) => vectors.face,
         }
     }
-}
-
-/// The work done on a square.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Evaluations {
-    /// How it was drawn.
-    pub kind: TileKind,
-    /// Evaluations of the illumination model.
-    pub model: u64,
-    /// Evaluations of the specular power.
-    pub specular: u64,
 }
 
 /// The memory of one face and its squares, reused for the next.

@@ -12,7 +12,7 @@ use super::affine::Affine;
 use super::face::{Face, places};
 use super::specular::power_exact;
 use super::surface::Surface;
-use crate::components::{Lens, Projection, unit};
+use crate::components::{Projection, unit};
 
 /// The corners of a face that each of its triangles has.
 const CORNERS: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
@@ -36,10 +36,9 @@ impl<'a> UnitVectors<'a> {
         face: &'a Face,
         normals: &Affine,
         surface: Surface<'a>,
-        lens: &Lens,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Self {
-        let places = places(face.number);
+        let (places, lens) = (places(face.number), &face.rays.lens);
         let corners = places.map(|place| face.from_eye(place));
         let lights = surface.illumination.points.iter();
         to_lights.clear();

@@ -19,7 +19,7 @@ use crate::shading::Surface;
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     gather(
         world.query_mut::<(&Transform, &Light)>().into_iter(),
-        &mut frame.illumination,
+        &mut frame.list.illumination,
     );
     for (place, mesh, material, own, normals, colors) in world.query_mut::<(
         &WorldTransform,
@@ -34,7 +34,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         }
         let surface = Surface {
             material,
-            illumination: &frame.illumination,
+            illumination: &frame.list.illumination,
             centre: place.position,
         };
         colors.0 = vertex_colors(&surface, place, mesh, normals, &frame.lens);

@@ -10,16 +10,15 @@
 //! stay in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of a picture do not depend on
 //! threads, strips or the part of the picture that is drawn.
 
+mod canvas;
 mod listing;
 mod quadtree;
-mod store;
 
 use std::ops::Range;
 
 use hecs::World;
 
-use self::listing::Context;
-use crate::components::{Lens, View};
+use crate::components::View;
 use crate::frame::{Band, Counts, DrawList, Frame, Piece};
 use crate::shading::affine::Affine;
 use crate::shading::face::Rays;
@@ -34,38 +33,31 @@ const DEPTH_TIE: f64 = 1e-11;
 /// Draws every cuboid into the frame in four steps. Lists the faces and their pixels, and sorts them into strips of the
 /// picture. Then, in each strip, compares depths and shades.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
-    let (lens, illumination) = (frame.lens, std::mem::take(&mut frame.illumination));
-    let context = Context {
-        illumination: &illumination,
-        view,
-        lens: &lens,
-        rays: &Rays::new(&lens),
-    };
     let level = frame.workers().level();
-    let mut list = frame.take_list();
-    context.list(level, world, &mut list);
+    let list = &mut frame.list;
+    (list.rays, list.tolerance) = (Rays::new(&frame.lens), view.tolerance);
+    list.fill(level, world, view);
     list.sort(view.size[1]);
-    frame.paint(view.background, list, |list, band, scratch| {
+    frame.paint(view.background, |list, band, scratch| {
         let mut counts = Counts::default();
         for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
-            dispatch!(level, _simd => compare(list, strip, &rows, band, &lens));
+            dispatch!(level, _simd => compare(list, strip, &rows, band));
             for piece in list.strip(strip) {
                 // A piece is drawn after its last strip in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
-                    context.shade(level, list, piece, band, scratch, &mut counts);
+                    list.shade(level, piece, band, scratch, &mut counts);
                 }
             }
         }
         counts
     });
-    frame.illumination = illumination;
 }
 
 /// Clears the rows of a strip, and writes the id of the visible piece at each pixel if the band keeps ids.
 #[inline(always)]
-fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, lens: &Lens) {
-    let deep = !band.depths.is_empty();
+fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) {
+    let (deep, middle) = (!band.depths.is_empty(), list.rays.lens.half);
     if !deep {
         for piece in list.strip(strip) {
             for (row, span) in list.spans(piece).within(rows) {
@@ -84,8 +76,8 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band, 
             if deep {
                 band.drawn[row - band.rows.start].drew(span.start, span.end);
                 let place = [
-                    span.start as f64 + 0.5 - lens.half[0],
-                    row as f64 + 0.5 - lens.half[1],
+                    span.start as f64 + 0.5 - middle[0],
+                    row as f64 + 0.5 - middle[1],
                 ];
                 see(piece, place, &mut band.depths[pixels], ids);
             } else {

@@ -10,7 +10,7 @@ use crate::shading::field::{MAX_RADIUS, Places};
 use crate::shading::interpolation::NODE;
 use crate::simd::{Baseline, token};
 
-type Number = Lanes<Baseline>;
+type Number = f64x4<Baseline>;
 
 struct Random(u64);
 
@@ -153,8 +153,8 @@ fn a_highlight_strays_no_further_than_its_bound() {
             let [o, r] = ends(x, y);
             o.dot(r)
         };
-        let side = side(&n, &l);
-        let range = reflection(&n, &l, &o, side.cosine);
+        let (cosine, lit, dark) = side(&n, &l);
+        let range = reflection(&n, &l, &o, cosine);
         for row in 0..=6 {
             for column in 0..=6 {
                 let [x, y] = [column, row].map(|step| f64::from(step) / 3.0 - 1.0);
@@ -163,8 +163,8 @@ fn a_highlight_strays_no_further_than_its_bound() {
                 let [o, r] = ends(x, y);
                 assert!(o.cross(r).length() <= one(range.sine) + 1e-14);
                 let cosine = value(&normal, x, y).dot(value(&light, x, y));
-                assert!(!side.lit.test(0) || cosine > 0.0);
-                assert!(!side.dark.test(0) || cosine <= 0.0);
+                assert!(!lit.test(0) || cosine > 0.0);
+                assert!(!dark.test(0) || cosine <= 0.0);
             }
         }
         let highlight = Highlight::new(shininess);
@@ -245,7 +245,7 @@ fn the_largest_products_of_powers_of_sine_and_cosine_are_known() {
 fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     // o and r are 60 degrees apart, so |r - o| = 1. Only l moves, along x, with p = q = 1/10: E_1 = 0.1,
     // E_2 = 0.02 / sqrt(3), E_3 = 0.003. For rho = 1 the third derivative is at most 3 E_1 E_2 + |r - o| E_3.
-    let number = |value| Lanes::splat(token(), value);
+    let number = |value| f64x4::splat(token(), value);
     let places = Places::single(token(), [0.0; 2], [0.5; 2]);
     let vector = Affine {
         centre: DVec3::Z,

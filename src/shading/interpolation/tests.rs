@@ -9,7 +9,7 @@ use crate::simd::{Baseline, token};
 
 /// Holds every pixel of a square to the colour that it is drawn with.
 struct Judge {
-    color: Color,
+    color: [[[f64; 3]; 3]; 4],
     crossing: [f64; 3],
     side: usize,
     worst: f64,
@@ -30,7 +30,7 @@ impl Judge {
     }
 }
 
-impl Sink<Baseline> for Judge {
+impl Judge {
     fn draw(&mut self, rows: &mut impl Rows<Baseline>) {
         for part in 0..self.side / 16 {
             rows.go_to(part);
@@ -55,13 +55,13 @@ impl Sink<Baseline> for Judge {
 }
 
 fn judge(
-    color: &Color,
+    color: &[[[f64; 3]; 3]; 4],
     crossing: Option<[f64; 3]>,
     side: usize,
     budget: f64,
-) -> (Option<Form>, Judge) {
+) -> (Option<(TileKind, bool)>, Judge) {
     let simd = token();
-    let lanes = |number| Lanes::splat(simd, number);
+    let lanes = |number| f64x4::splat(simd, number);
     let interpolant = Interpolant::new(
         color.map(|nine| nine.map(|row| row.map(lanes))),
         crossing.unwrap_or_default().map(lanes),
@@ -75,12 +75,18 @@ fn judge(
         worst: 0.0,
         shown: [0; 2],
     };
-    let form = interpolant.forms[2];
-    if let Some(form) = form {
+    let kind = interpolant.kinds[2];
+    if kind.is_some() {
         let square = Square::whole([96, 64], side);
-        draw(simd, &interpolant, 2, form, &square, &mut judge);
+        match interpolant.ramp(simd, 2, &square) {
+            Some(mut ramp) => judge.draw(&mut ramp),
+            None => judge.draw(&mut interpolant.curve(simd, 2, &square)),
+        }
     }
-    (form, judge)
+    (
+        kind.map(|kind| (kind, interpolant.fixed >> 2 & 1 == 1)),
+        judge,
+    )
 }
 
 #[test]
@@ -117,7 +123,7 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
         let Some(form) = form else {
             continue;
         };
-        forms.insert((form.kind, form.fixed));
+        forms.insert(form);
         assert!(
             judge.worst <= budget,
             "{} levels of {budget}: {form:?}, {color:?}",
@@ -141,7 +147,7 @@ fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
     let fixed = |middle: f64, slope: f64, budget: f64| {
         let nine = [[middle, slope, 0.0], [0.0; 3], [0.0; 3]];
         let color = [nine, nine, nine, [[0.0; 3]; 3]];
-        judge(&color, None, 16, budget).0.map(|form| form.fixed)
+        judge(&color, None, 16, budget).0.map(|(_, fixed)| fixed)
     };
     assert_eq!(fixed(100.0, 8.0, 0.5), Some(true));
     assert_eq!(
@@ -196,7 +202,7 @@ fn steps_of_a_256th_cost_what_they_are_said_to() {
         // Too little to leave out what is bent.
         let budget = FIXED + 256.0 * ROUNDING;
         let (form, judge) = judge(&[red, green, blue, [[0.0; 3]; 3]], None, 16, budget);
-        assert!(form.is_some_and(|form| form.fixed), "{form:?}");
+        assert!(form.is_some_and(|(_, fixed)| fixed), "{form:?}");
         worst = worst.max(judge.worst);
     }
     println!("{:.3} of the count", worst / FIXED);
@@ -209,7 +215,7 @@ fn samples_err_by_no_more_in_between_than_the_constant_says() {
     // Errors of one that alternate weigh most, and in the corners.
     let simd = token();
     let signs = [1.0, -1.0, 1.0];
-    let samples = signs.map(|y: f64| signs.map(|x| Lanes::splat(simd, x * y)));
+    let samples = signs.map(|y: f64| signs.map(|x| f64x4::splat(simd, x * y)));
     let terms = biquadratic(&samples).map(|row| row.map(|term| term.as_array()[0]));
     let corner: f64 = terms.as_flattened().iter().sum();
     assert!((corner - LEBESGUE).abs() < 1e-12, "{corner}");
@@ -217,7 +223,7 @@ fn samples_err_by_no_more_in_between_than_the_constant_says() {
 
 #[test]
 fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
-    let number = |value| Lanes::splat(token(), value);
+    let number = |value| f64x4::splat(token(), value);
     let power = |x: f64, exponent: usize| x.powi(exponent as i32);
     for (j, i) in (0..9).map(|term| (term / 3, term % 3)) {
         for sign in [1.0, -1.0] {
@@ -229,9 +235,11 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
                 let budget = f64::from(step) / 100.0;
                 let none = mask64x4::splat(token(), false);
                 let interpolant = Interpolant::new(terms, [number(0.0); 3], none, number(budget));
-                let form = interpolant.forms[0].expect("a budget is left");
-                kinds[form.kind as usize] += 1;
-                let color = interpolant.color(0, form, [1.0; 2])[1];
+                let kind = interpolant.kinds[0].expect("a budget is left");
+                kinds[kind as usize] += 1;
+                // Half extents of a pixel.
+                let square = Square::whole([0, 0], 3);
+                let color = interpolant.color(0, &square)[1];
                 let grid = (0..=20).map(|place| f64::from(place) / 10.0 - 1.0);
                 for (x, y) in grid.clone().flat_map(|x| grid.clone().map(move |y| (x, y))) {
                     let drawn = (0..9).map(|term| {

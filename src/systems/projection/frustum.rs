@@ -50,13 +50,6 @@ struct EdgeLine {
     ends: [f64; 2],
 }
 
-/// A vertex of a polygon that is clipped, and the line of the edge to the next vertex.
-#[derive(Clone, Copy)]
-struct Vertex {
-    place: DVec3,
-    edge: EdgeLine,
-}
-
 impl<'a> Frustum<'a> {
     /// For a cuboid with these axes and this centre relative to the eye.
     pub fn new(lens: &'a Lens, axes: DMat3, centre: DVec3) -> Self {
@@ -93,15 +86,15 @@ impl<'a> Frustum<'a> {
 
     /// The visible part of a triangle on a face perpendicular to `axis`, snapped. Corners are relative to the cuboid's centre.
     pub fn clip(&self, axis: usize, corners: [DVec3; 3]) -> Polygon {
-        let first = [0, 1, 2].map(|index| Vertex {
-            place: self.centre + corners[index],
-            edge: EdgeLine::between(corners[index], corners[(index + 1) % 3], self.centre),
+        let first = [0, 1, 2].map(|index| {
+            let [from, to] = [corners[index], corners[(index + 1) % 3]];
+            (self.centre + from, EdgeLine::between(from, to, self.centre))
         });
         let mut vertices = [first[0]; Polygon::MAX_VERTICES];
         vertices[..3].copy_from_slice(&first);
         let mut len = 3;
         for plane in &self.planes {
-            let mut places = vertices[..len].iter().map(|vertex| vertex.place);
+            let mut places = vertices[..len].iter().map(|vertex| vertex.0);
             if !places.all(|place| plane.at(place) >= 0.0) {
                 (vertices, len) = cut(&vertices[..len], axis, plane);
             }
@@ -112,7 +105,7 @@ impl<'a> Frustum<'a> {
             DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
         };
         Polygon {
-            vertices: vertices.map(|vertex| self.snapped(seen(vertex.place))),
+            vertices: vertices.map(|(place, _)| self.snapped(seen(place))),
             len: len as u8,
         }
     }
@@ -128,12 +121,13 @@ impl<'a> Frustum<'a> {
     }
 }
 
-/// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside.
+/// Cuts a convex polygon on a face with one plane (Sutherland and Hodgman 1974); a vertex on the plane is inside. A vertex
+/// comes with the line of the edge to the next one.
 fn cut(
-    polygon: &[Vertex],
+    polygon: &[(DVec3, EdgeLine)],
     axis: usize,
     plane: &HalfSpace,
-) -> ([Vertex; Polygon::MAX_VERTICES], usize) {
+) -> ([(DVec3, EdgeLine); Polygon::MAX_VERTICES], usize) {
     let mut kept = [polygon[0]; Polygon::MAX_VERTICES];
     let mut len = 0;
     let mut keep = |vertex| {
@@ -145,18 +139,18 @@ fn cut(
     };
     for (index, &vertex) in polygon.iter().enumerate() {
         let next = polygon[(index + 1) % polygon.len()];
-        let [here, there] = [vertex, next].map(|vertex| plane.at(vertex.place) >= 0.0);
+        let [here, there] = [vertex, next].map(|(place, _)| plane.at(place) >= 0.0);
         if here {
             keep(vertex);
         }
         if here != there {
-            let place = vertex.edge.meet(plane);
+            let place = vertex.1.meet(plane);
             let edge = if here {
                 plane.on_face(axis, place[axis])
             } else {
-                vertex.edge
+                vertex.1
             };
-            keep(Vertex { place, edge });
+            keep((place, edge));
         }
     }
     (kept, if len < 3 { 0 } else { len })

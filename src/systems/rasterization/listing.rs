@@ -7,28 +7,20 @@ use glam::DVec3;
 use hecs::World;
 
 use crate::components::{
-    FACES, FileOrder, Illumination, Lens, Material, Mesh, Normals, Polygon, Projected, Projection,
-    ShadingMode, VertexColors, View, WorldTransform,
+    FACES, FileOrder, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode,
+    VertexColors, View, WorldTransform,
 };
 use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
-use crate::shading::face::{Plane, Rays, Solid};
+use crate::shading::face::nearness;
 use crate::shading::gloss::Gloss;
 use crate::simd::{dispatch, outlined};
 use crate::systems::coverage::{SMALL, covered, rows, scan};
 
-/// The values that are the same for all cuboids of a frame.
-pub struct Context<'a> {
-    pub illumination: &'a Illumination,
-    pub view: &'a View,
-    pub lens: &'a Lens,
-    pub rays: &'a Rays,
-}
-
-impl Context<'_> {
+impl DrawList {
     /// Lists the cuboids that have visible faces, and these faces.
-    pub fn list(&self, level: Level, world: &mut World, list: &mut DrawList) {
-        list.clear();
+    pub fn fill(&mut self, level: Level, world: &mut World, view: &View) {
+        self.clear();
         for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
             &FileOrder,
             &WorldTransform,
@@ -39,28 +31,24 @@ impl Context<'_> {
             &VertexColors,
             &Projected,
         )>() {
-            let solid = Solid {
-                centre: place.position - self.lens.eye,
-                axes: place.axes,
-                half: mesh.corners[7],
-            };
+            let half = mesh.corners[7];
             let id = 12 * order.0;
-            let pieces = list.pieces.len();
-            dispatch!(level, simd => self.list_faces(simd, list, id, &solid, projected));
-            if list.pieces.len() == pieces {
+            let pieces = self.pieces.len();
+            dispatch!(level, simd => self.list_faces(simd, view.size, id, place, half, projected));
+            if self.pieces.len() == pieces {
                 continue;
             }
-            let mode = self.view.mode(*own);
+            let mode = view.mode(*own);
             let gloss = match mode {
-                ShadingMode::Phong => self.gloss(list, material, place.position),
+                ShadingMode::Phong => self.gloss(material, place.position),
                 _ => 0,
             };
-            list.objects.push(Object {
+            self.objects.push(Object {
                 material: *material,
-                centre: place.position,
+                place: *place,
+                half,
                 mode,
                 gloss,
-                solid,
                 corners: match mode {
                     ShadingMode::Gouraud => colors.0,
                     _ => normals.0,
@@ -72,26 +60,27 @@ impl Context<'_> {
     /// Lists the visible faces of a cuboid; `id` is the number of its first triangle.
     #[inline(always)]
     fn list_faces<S: Simd>(
-        &self,
+        &mut self,
         simd: S,
-        list: &mut DrawList,
+        size: [usize; 2],
         id: u32,
-        solid: &Solid,
+        place: &WorldTransform,
+        half: DVec3,
         projected: &Projected,
     ) {
         for (number, polygons) in projected.polygons.as_chunks::<2>().0.iter().enumerate() {
             if polygons.iter().all(|polygon| polygon.len == 0) {
                 continue;
             }
-            let (row, covered) = cover(simd, list, polygons, self.view.size);
+            let (row, covered) = cover(simd, self, polygons, size);
             for spans in covered {
                 if !spans.is_empty() {
-                    list.pieces.push(Piece {
+                    self.pieces.push(Piece {
                         id: id + 2 * number as u32,
-                        object: list.objects.len(),
+                        object: self.objects.len(),
                         row,
                         spans,
-                        nearness: Plane::new(number, solid, self.rays).nearness(),
+                        nearness: nearness(number, place, half, &self.rays),
                         range: self
                             .range(FACES[number].map(|it| projected.seen[usize::from(it)].z)),
                     });
@@ -104,39 +93,37 @@ impl Context<'_> {
     fn range(&self, depths: [f64; 4]) -> [f64; 2] {
         let farthest = depths.into_iter().fold(f64::MIN, f64::max);
         let nearest = depths.into_iter().fold(f64::MAX, f64::min);
-        let nearest = nearest.max(self.lens.near);
-        match self.lens.projection {
+        let nearest = nearest.max(self.rays.lens.near);
+        match self.rays.lens.projection {
             Projection::Perspective => [1.0 / farthest, 1.0 / nearest],
             Projection::Orthographic => [-farthest, -nearest],
         }
     }
 
-    /// The index of a material's highlights in the list.
-    fn gloss(&self, list: &mut DrawList, material: &Material, centre: DVec3) -> usize {
-        let last = list.glosses.last();
+    /// The index of a material's highlights.
+    fn gloss(&mut self, material: &Material, centre: DVec3) -> usize {
+        let last = self.glosses.last();
         if last.is_none_or(|gloss| gloss.material != *material) {
             let surface = Surface {
                 material,
-                illumination: self.illumination,
+                illumination: &self.illumination,
                 centre,
             };
-            list.glosses.push(Gloss::new(&surface, self.view.tolerance));
+            self.glosses.push(Gloss::new(&surface, self.tolerance));
         }
-        list.glosses.len() - 1
+        self.glosses.len() - 1
     }
 }
 
-/// The row of the picture of the first of some spans in the list, and the ranges of one or two pieces.
-type Covered = (usize, [Range<usize>; 2]);
-
-/// Lists the pixels that a face covers. The spans of its two triangles meet along the diagonal and are listed as one. If
-/// snapping has bent a sliver so that they do not meet, each triangle has its own spans.
+/// Lists the pixels that a face covers. Returns the row of the picture of the first span, and the ranges of the spans of one
+/// or two pieces. The spans of its two triangles meet along the diagonal and are listed as one. If snapping has bent a sliver
+/// so that they do not meet, each triangle is a piece.
 fn cover<S: Simd>(
     simd: S,
     list: &mut DrawList,
     polygons: &[Polygon; 2],
     size: [usize; 2],
-) -> Covered {
+) -> (usize, [Range<usize>; 2]) {
     let small = outlined!(simd, cover_small(simd, list, polygons, size));
     if let Some(covered) = small {
         return covered;
@@ -172,7 +159,7 @@ fn cover_small<S: Simd>(
     list: &mut DrawList,
     [one, other]: &[Polygon; 2],
     size: [usize; 2],
-) -> Option<Covered> {
+) -> Option<(usize, [Range<usize>; 2])> {
     let ([a, b, c], [d, e, f]) = (one.vertices(), other.vertices()) else {
         return None;
     };

@@ -155,7 +155,7 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             cosine,
             cosine_error(&normal, &light).as_array()[0],
         );
-        let range = reflection(&normal, &light, &eye, side(&normal, &light).cosine);
+        let range = reflection(&normal, &light, &eye, side(&normal, &light).0);
         if range.least.as_array()[0] <= 0.0 {
             continue;
         }

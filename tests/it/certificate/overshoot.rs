@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
-use shadetrade::components::{Illumination, Lens, Projection};
+use shadetrade::components::{Illumination, Lens, Projection, WorldTransform};
 use shadetrade::shading::Surface;
-use shadetrade::shading::face::{Face, OVERSHOOT, Rays, Solid};
+use shadetrade::shading::face::{Face, OVERSHOOT, Rays};
 use shadetrade::shading::field::Places;
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::{Gouraud, TileColors};
@@ -19,14 +19,18 @@ fn sized(from: i32, to: i32) -> impl Strategy<Value = f64> {
     (f64::from(from)..f64::from(to)).prop_map(|exponent| 10_f64.powf(exponent))
 }
 
-/// A cuboid with its upper face at a depth `below` the eye, which looks along the face with a slight tilt.
-fn solid() -> impl Strategy<Value = Solid> {
+/// The place of a cuboid and half its edges. Its upper face is at a depth `below` the eye, which looks along the face with a
+/// slight tilt.
+fn cuboid() -> impl Strategy<Value = (WorldTransform, DVec3)> {
     let half = [sized(-2, 6), sized(-2, 6), sized(-2, 6)].prop_map(DVec3::from_array);
     let place = [-2.0..2.0, -2.0..2.0_f64];
-    (half, place, sized(-3, 2)).prop_map(|(half, [aside, ahead], below)| Solid {
-        centre: DVec3::new(half.x * aside, -half.y - below, half.z * ahead),
-        axes: DMat3::IDENTITY,
-        half,
+    (half, place, sized(-3, 2)).prop_map(|(half, [aside, ahead], below)| {
+        let position = DVec3::new(half.x * aside, -half.y - below, half.z * ahead);
+        let place = WorldTransform {
+            position,
+            axes: DMat3::IDENTITY,
+        };
+        (place, half)
     })
 }
 
@@ -35,7 +39,7 @@ proptest! {
 
     #[test]
     fn a_pixel_beside_a_steady_face_overshoots_it_by_at_most_the_limit_of_light_culling(
-        solid in solid(),
+        (cuboid, edges) in cuboid(),
         orthographic in any::<bool>(),
         tilt in -0.2..0.2_f64,
         coarser in 0.5..1.0_f64,
@@ -59,11 +63,11 @@ proptest! {
         // Pixels as coarse as a face allows that is just steady at the edge.
         let fine = lens(1e-4);
         let rays = Rays::new(&fine);
-        let face = Face::new(2, &solid, &rays);
+        let face = Face::new(2, &cuboid, edges, &rays);
         let Some([x, y]) = pixel(&fine, &face) else { return Ok(()) };
         let lens = lens(1e-4 * coarser * face.place.at(x, y).z / face.least_steady());
         let rays = Rays::new(&lens);
-        let face = Face::new(2, &solid, &rays);
+        let face = Face::new(2, &cuboid, edges, &rays);
         let Some([x, y]) = pixel(&lens, &face) else { return Ok(()) };
         // Snapping moves a vertex, and so an edge, by at most 1/512 pixel.
         let place = face.place.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
@@ -75,7 +79,7 @@ proptest! {
 
     #[test]
     fn f32_evaluates_no_square_that_meets_the_end_of_a_sliver_or_in_which_depth_more_than_doubles(
-        solid in solid(),
+        (cuboid, edges) in cuboid(),
         orthographic in any::<bool>(),
         yaw in -3.2..3.2_f64,
         pitch in sized(-4, -1),
@@ -91,10 +95,10 @@ proptest! {
             ..Lens::default()
         };
         let rays = Rays::new(&lens);
-        let face = Face::new(2, &solid, &rays);
+        let face = Face::new(2, &cuboid, edges, &rays);
         let simd = baseline().expect("every machine has the baseline");
         let places = Places::single(simd, middle, half);
-        let w = |x: f64, y: f64| face.plane.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
+        let w = |x: f64, y: f64| face.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
@@ -114,7 +118,7 @@ proptest! {
         }
 
         let (material, illumination) = (white(1.0), Illumination::default());
-        let surface = Surface { material: &material, illumination: &illumination, centre: solid.centre };
+        let surface = Surface { material: &material, illumination: &illumination, centre: cuboid.position };
         let normals = face.interpolate(&[DVec3::Y; 8], 0);
         let gloss = Gloss::new(&surface, 0.5);
         let mut lights = Vec::new();

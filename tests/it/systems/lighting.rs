@@ -67,7 +67,7 @@ fn a_light_that_is_off_is_left_out_and_lights_at_one_place_are_one() {
             specular: DVec3::splat(3.0),
         }],
     };
-    assert_eq!(run(&mut world, &view).illumination, expected);
+    assert_eq!(*run(&mut world, &view).illumination(), expected);
 }
 
 #[test]

@@ -7,27 +7,28 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use crate::frame::{Band, OUTLINE, face};
+use crate::frame::{Band, Counts, OUTLINE, face};
 use crate::shading::TileKind;
-use crate::shading::display::{Rows, Sink};
+use crate::shading::display::Rows;
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
 use crate::simd::three;
 
 /// The pixels of a band that a piece covers.
-pub struct Store<'a, 'b> {
+pub struct Canvas<'a, 'b> {
     pub band: &'a mut Band<'b>,
     pub spans: Spans<'a>,
     /// The number of the face's first triangle.
     pub id: u32,
     /// The square being drawn.
     pub square: Square,
-    /// How many pixels were drawn.
-    pub drawn: u64,
+    /// The picture's middle, in pixels from its corner.
+    pub picture: [f64; 2],
+    pub counts: &'a mut Counts,
 }
 
-impl Store<'_, '_> {
+impl Canvas<'_, '_> {
     /// The rows of the square that are covered and in the band.
     fn rows(&self) -> Range<usize> {
         self.band.held(self.square.covered_rows())
@@ -85,7 +86,7 @@ impl Store<'_, '_> {
     /// Draws listed pixels.
     #[inline(always)]
     pub fn draw_pixels<S: Simd>(&mut self, simd: S, pixels: &Pixels) {
-        self.drawn += pixels.count() as u64;
+        self.counts.covered_pixels += pixels.count() as u64;
         if self.band.pixels.is_empty() {
             for (index, levels) in pixels.levels() {
                 self.band.levels[index] = levels;
@@ -95,18 +96,24 @@ impl Store<'_, '_> {
         }
     }
 
-    /// Records how the square was drawn and which triangles are visible. `picture` is the middle of the picture, in pixels from its
-    /// corner.
+    /// Counts the square as `tiles` tiles of a kind. Records the kind and the visible triangles if the frame keeps them.
+    pub fn finish(&mut self, kind: TileKind, tiles: u64, drawn: &Face) {
+        self.counts.tiles[kind as usize] += tiles;
+        if !self.band.kinds.is_empty() {
+            self.mark(kind, drawn);
+        }
+    }
+
     #[inline(never)]
-    pub fn mark(&mut self, kind: TileKind, shown: &Face, picture: [f64; 2]) {
+    fn mark(&mut self, kind: TileKind, drawn: &Face) {
         let Square { place, columns, .. } = self.square;
         for (row, span) in self.spans.clipped(self.rows(), columns) {
             for column in span {
                 let pixel = self.band.index(column, row);
                 if face(self.band.triangles[pixel]) == face(self.id) {
                     let [x, y] =
-                        [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - picture[axis]);
-                    let second = u32::from(shown.diagonal.at(x, y) < 0.0);
+                        [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - self.picture[axis]);
+                    let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
                     self.band.triangles[pixel] = self.id + second;
                     let edge = row == place[1] || column == place[0];
                     self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
@@ -132,7 +139,7 @@ impl Store<'_, '_> {
                 line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
             }
         }
-        self.drawn += self.square.pixels as u64;
+        self.counts.covered_pixels += self.square.pixels as u64;
     }
 
     /// A bit for each of the sixteen pixels from `first` in a row: whether `span` covers it and it shows this face.
@@ -148,11 +155,10 @@ impl Store<'_, '_> {
             seen | u32::from(face(*id) == face(self.id)) << lane
         }) & covered
     }
-}
 
-impl<S: Simd> Sink<S> for Store<'_, '_> {
+    /// Draws the seen pixels of the square with the colours of these rows.
     #[inline(always)]
-    fn draw(&mut self, rows: &mut impl Rows<S>) {
+    pub fn draw<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
         if self.is_whole() {
             return self.draw_whole(rows);
         }
@@ -166,7 +172,7 @@ impl<S: Simd> Sink<S> for Store<'_, '_> {
                     continue;
                 }
                 let seen = self.seen(first, row, span);
-                self.drawn += u64::from(seen.count_ones());
+                self.counts.covered_pixels += u64::from(seen.count_ones());
                 let start = self.band.index(first, row);
                 let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);
                 if self.band.pixels.is_empty() {
