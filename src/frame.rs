@@ -161,8 +161,8 @@ impl Frame {
         self.buffers.triangles.as_slice()
     }
 
-    /// The kind of each pixel's tile: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`]. Undefined where no triangle is
-    /// visible; empty unless [`Keep::Levels`].
+    /// The kind of each pixel's tile: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`].
+    /// Undefined where no triangle is visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
         self.buffers.kinds.as_slice()
     }
@@ -228,7 +228,7 @@ impl Frame {
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        draw: impl Fn(&DrawList, &mut Band, &mut Scratch) -> Counts + Sync,
+        draw: impl Fn(&DrawList, &mut Band, &mut Scratch, &mut Counts) + Sync,
     ) {
         let (buffers, list) = (&mut self.buffers, &mut self.list);
         if buffers.background != background {
@@ -255,7 +255,7 @@ impl Frame {
         };
         let work = |(scratch, counts): &mut (Scratch, Counts)| {
             while let Some(mut band) = next() {
-                *counts += draw(list, &mut band, scratch);
+                draw(list, &mut band, scratch, counts);
             }
         };
         match &self.workers.pool {

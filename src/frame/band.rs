@@ -135,6 +135,12 @@ impl<'a> Band<'a> {
         rows.start.max(self.rows.start)..rows.end.min(self.rows.end)
     }
 
+    /// The indices in the buffers of some pixels in a row of the picture.
+    pub fn indices(&self, row: usize, columns: &Range<usize>) -> Range<usize> {
+        let first = self.index(0, row);
+        first + columns.start..first + columns.end
+    }
+
     /// The index in the buffers of pixel `x` in a row of the picture.
     pub fn index(&self, x: usize, row: usize) -> usize {
         (row - self.rows.start) * self.width + x

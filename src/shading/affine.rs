@@ -45,15 +45,3 @@ impl Affine<f64> {
         [self.centre, self.dx, self.dy]
     }
 }
-
-impl<T: Add<Output = T>> Add for Affine<T> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Affine {
-            centre: self.centre + other.centre,
-            dx: self.dx + other.dx,
-            dy: self.dy + other.dy,
-        }
-    }
-}

@@ -13,16 +13,18 @@
 //! exchanged.
 //!
 //! **Third derivatives.** w N, w L and w O are affine in x and y, w > 0, and have the directions of N, L and O. Let V be one
-//! of them at any point of the square. A step t along x gives V + t V_x, in the plane of V and V_x. With this plane as the
-//! complex plane and V on its real axis, V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im(z), -Im(z^2)
-//! and 2 Im(z^3). With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has derivatives of length at most
+//! of them at any point of the square. A step t along x gives V + t V_x, in the plane of V and V_x. Take this plane as the
+//! complex plane and V on its real axis. Then V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose
+//! derivatives at t = 0 are Im(z), -Im(z^2) and 2 Im(z^3). With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has
+//! derivatives of length at most
 //!
 //! ```text
-//!   |v'| = |Im z| <= p      |v''| <= min(2 p q, 2/sqrt(3) q^2)      |v'''| = 3 |Im z| sqrt(4 Re(z)^4 + Im(z)^4) <= min(6 p q^2, 3 q^3)
+//!   |v'|   = |Im z|                                  <= p
+//!   |v''|                                            <= min(2 p q, 2/sqrt(3) q^2)
+//!   |v'''| = 3 |Im z| sqrt(4 Re(z)^4 + Im(z)^4)      <= min(6 p q^2, 3 q^3)
 //! ```
-//! and the half-turn about n, R = 2 n n^T - 1, turns by twice the angle of n, so its derivatives are at most 2 |Im z|,
-//! 4 |Im z| |z| and 12 |Im z| |z|^2: 2 p, 4 p q and 12 p q^2. Leibniz' rule bounds the
-//! derivatives of the products n.l and r = R l. Their factors have length one.
+//! The half-turn about n, R = 2 n n^T - 1, turns by twice the angle of n, so its derivatives are at most 2 p, 4 p q and
+//! 12 p q^2. Leibniz' rule bounds the derivatives of the products n.l and r = R l, whose factors have length one.
 //!
 //! **The highlight.** Let theta be the angle between o and r, s = cos(theta), and e = r - o, whose length is
 //! c = 2 sin(theta/2). Then s = 1 - |e|^2 / 2, and
@@ -119,17 +121,9 @@ pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> (f64x4<S>, mask64x4
     (cosine, bounded & lit, bounded & dark)
 }
 
-/// The range of s = o.r.
-#[derive(Clone, Copy)]
-pub struct Reflection<S: Simd> {
-    /// At most this, which is at most 1.
-    pub most: f64x4<S>,
-    /// At least this.
-    pub least: f64x4<S>,
-    /// The sine of the angle between o and r, at most, where all directions are bounded.
-    sine: f64x4<S>,
-}
-
+/// The largest and the least s = o.r on the square, which are at most 1, and the largest sine of the angle between o and r,
+/// which is a bound where all directions are bounded.
+///
 /// r turns twice as far as n, and as far as l.
 #[inline(always)]
 pub fn reflection<S: Simd>(
@@ -137,7 +131,7 @@ pub fn reflection<S: Simd>(
     light: &Field<S>,
     eye: &Field<S>,
     cosine: f64x4<S>,
-) -> Reflection<S> {
+) -> [f64x4<S>; 3] {
     let simd = cosine.token();
     let (n, l, o) = (&normal.middle, &light.middle, &eye.middle);
     let r = three!(|axis| n[axis] * cosine * 2.0 - l[axis]);
@@ -167,11 +161,12 @@ pub fn reflection<S: Simd>(
     let bounded =
         normal.is_direction_bounded() & light.is_direction_bounded() & eye.is_direction_bounded();
     let narrow = bounded & turn.simd_lt(std::f64::consts::FRAC_PI_2);
-    Reflection {
-        most: narrow.select(most, one),
-        least: narrow.select(s - drop * 0.5 - sine * turn, -one),
-        sine: (sine + turn).min(one),
-    }
+    let least = s - drop * 0.5 - sine * turn;
+    [
+        narrow.select(most, one),
+        narrow.select(least, -one),
+        (sine + turn).min(one),
+    ]
 }
 
 /// The constants of the bound on a highlight, which depend on the shininess alone.
@@ -210,19 +205,18 @@ impl Highlight {
         }
     }
 
-    /// A bound on the interpolation error of s^rho; `power` is that of the largest s.
+    /// A bound on the interpolation error of s^rho, for a range of s from [`reflection`]; `power` is that of the largest s.
     #[inline(always)]
     pub fn error<S: Simd>(
         &self,
         normal: &Field<S>,
         light: &Field<S>,
         eye: &Field<S>,
-        reflection: &Reflection<S>,
+        [most, least, sine]: [f64x4<S>; 3],
         power: f64x4<S>,
     ) -> f64x4<S> {
         let simd = power.token();
         let [first, second, third] = self.factors;
-        let Reflection { most, least, sine } = *reflection;
         // s^(rho-k) <= most^rho / s^k, with the largest s for positive exponents and the least for all.
         let base = if self.bounded { most } else { least };
         let over = 1.0 / base;
@@ -268,8 +262,8 @@ pub fn power<S: Simd>(shininess: f32, most: f64x4<S>) -> f64x4<S> {
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.
 ///
-/// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|, so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x.
-/// Along y alike.
+/// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|, so
+/// its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x. Along y alike.
 #[inline(always)]
 pub fn quotient_error<S: Simd>([a, b, c]: [f64x4<S>; 3], [e, g]: [f64x4<S>; 2]) -> f64x4<S> {
     let least = 1.0 - e.abs() - g.abs();

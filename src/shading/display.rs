@@ -7,30 +7,6 @@ use fearless_simd::{Simd, f32x16, u32x16};
 
 use crate::simd::three;
 
-/// The colours of a square, evaluated in sixteen columns at a time.
-pub trait Rows<S: Simd> {
-    /// Selects the sixteen columns that start at column `16 * part` of the square.
-    fn go_to(&mut self, part: usize);
-
-    /// Their levels in a row of the square, unclamped.
-    fn levels(&self, row: usize) -> [f32x16<S>; 3];
-
-    /// Their bytes in a row of the square, 0x00RRGGBB.
-    #[inline(always)]
-    fn pixels(&self, row: usize) -> u32x16<S> {
-        display(self.levels(row))
-    }
-}
-
-/// `from`, `from` + 1, ...
-#[inline(always)]
-pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
-    const LANES: [f32; 16] = [
-        0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
-    ];
-    f32x16::simd_from(simd, LANES) + from as i32 as f32
-}
-
 /// The contract's display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
 pub fn display_step(level: f64) -> u8 {
     let positive = if level > 0.0 { level } else { 0.0 };

@@ -33,18 +33,15 @@ impl Rays {
     /// Those of a lens.
     pub fn new(lens: &Lens) -> Self {
         let [right, up, forward] = lens.axes;
-        let moving = Affine {
-            centre: DVec3::ZERO,
-            dx: right * lens.pitch,
-            dy: up * -lens.pitch,
-        };
-        let still = Affine {
-            centre: forward,
+        let [dx, dy] = [right * lens.pitch, up * -lens.pitch];
+        let moving = |centre| Affine { centre, dx, dy };
+        let still = |centre| Affine {
+            centre,
             ..Affine::default()
         };
         let (start, direction) = match lens.projection {
-            Projection::Perspective => (Affine::default(), still + moving),
-            Projection::Orthographic => (moving, still),
+            Projection::Perspective => (still(DVec3::ZERO), moving(forward)),
+            Projection::Orthographic => (moving(DVec3::ZERO), still(forward)),
         };
         Rays {
             lens: *lens,
@@ -82,8 +79,8 @@ pub fn nearness(number: usize, place: &WorldTransform, half: DVec3, rays: &Rays)
     }
 }
 
-/// A point that may lie further outside its face than this, as a share of the face, is clamped to the face. Coverage is decided
-/// on vertices moved by up to 1/512 pixel along each axis, which matters only where a face is a sliver.
+/// A point that may lie further outside its face than this, as a share of the face, is clamped to the face. Such points exist
+/// because coverage is decided on vertices that snapping has moved, and matter only where a face is a sliver.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// An upper bound of how far snapping moves an edge, in pixels.
@@ -193,12 +190,16 @@ impl<'a> Face<'a> {
         }
         let across = self.outwards;
         let above = across.dot(from_centre) - self.half_height;
-        let along = towards.map(|v| v - across * across.dot(v));
-        along + w.map(|w| across * above * w)
+        let lifted = |v: DVec3, w: f64| v - across * across.dot(v) + across * above * w;
+        Affine {
+            centre: lifted(towards.centre, w.centre),
+            dx: lifted(towards.dx, w.dx),
+            dy: lifted(towards.dy, w.dy),
+        }
     }
 
-    /// A face is steady, not a sliver, where w is larger than this: no pixel's centre lies further outside it than by
-    /// [`OVERSHOOT`].
+    /// Where w is larger than this the face is steady, that is, not a sliver: no centre of a covered pixel lies further outside
+    /// it than by [`OVERSHOOT`].
     pub fn least_steady(&self) -> f64 {
         self.uv_gradient / (1024.0 * OVERSHOOT)
     }

@@ -52,15 +52,6 @@ impl<S: Simd> Places<S> {
             self.half[1] * dy,
         ]
     }
-
-    /// One square, four times.
-    #[inline(always)]
-    pub fn single(simd: S, middle: [f64; 2], half: [f64; 2]) -> Self {
-        Places {
-            middle: two!(|axis| f64x4::splat(simd, middle[axis])),
-            half: two!(|axis| f64x4::splat(simd, half[axis])),
-        }
-    }
 }
 
 /// A vector on four squares: `middle + right x + down y` for x and y from -1 to 1, the middle of length one.

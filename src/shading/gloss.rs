@@ -1,4 +1,5 @@
-//! The constants of a material's highlights, which are the same in every square.
+//! The constants of a material's highlights, which are the same in every square: how faint a highlight must be to be left out,
+//! and how much s^rho enlarges a rounding error.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4};
@@ -8,8 +9,8 @@ use super::limit;
 use super::surface::Surface;
 use crate::components::Material;
 
-/// The part of the tolerance that all highlights too faint to be drawn may use together. A larger part leaves out more
-/// highlights but leaves less of the tolerance to other errors. A tenth or a half changes the instructions of a frame by 1 to 2 % (default
+/// The part of the tolerance that all highlights too faint to be drawn may use together. With a larger part more highlights
+/// are left out, but other errors must be smaller. A tenth or a half changes the instructions of a frame by 1 to 2 % (default
 /// scene and bench-far, tolerance 0.5).
 const DROPPED: f64 = 0.25;
 

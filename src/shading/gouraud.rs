@@ -22,7 +22,7 @@ pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// Levels on the first and on the second triangle: by u and v, and times w by pixel.
+    /// Levels on the first and on the second triangle, as functions of u and v; and w times them, as functions of the pixel.
     levels: [Affine; 2],
     colors: [Affine; 2],
 }

@@ -7,8 +7,8 @@
 //! replaced by 1/2, the middle of its range, with an error of at most 1/2 (economization; Lanczos 1938).
 //!
 //! Values are multiples of 1/256 level if at least `FIXED` of the tolerance is left, no channel leaves 0 to 255 and no
-//! terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a frame of bench-close takes 63 % more
-//! time, and without linear rows 70 % more (Phong, tolerance 0.5, one thread).
+//! terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a frame of bench-close takes
+//! 63 % more time, and without linear rows 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -84,10 +84,10 @@ const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
 
 /// Colours of four squares, x and y from -1 to 1 over each, and how each square is drawn.
 pub struct Interpolant<S: Simd> {
-    /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square. Each pixel takes max(0, n.l), which does not
-    /// enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
+    /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square. Each pixel takes
+    /// max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
     terms: [[[f64x4<S>; 3]; 3]; 4],
-    /// The factors of that, in levels.
+    /// The factors of n.l, in levels.
     crossing: [f64x4<S>; 3],
     /// None where the budget does not suffice or a sample is not a number.
     pub kinds: [Option<TileKind>; 4],
@@ -159,7 +159,7 @@ impl<S: Simd> Interpolant<S> {
         }
     }
 
-    /// The rows of one of the squares if it is constant or linear, in multiples of 1/256 level.
+    /// The rows of one of the squares, if it is constant or linear and in multiples of 1/256 level.
     #[inline(always)]
     pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
         let is_linear = matches!(
@@ -176,7 +176,7 @@ impl<S: Simd> Interpolant<S> {
         })
     }
 
-    /// The rows of one of the squares in any case.
+    /// The rows of one of the squares, of any kind.
     #[inline(always)]
     pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
         let crossing = (self.kinds[index] == Some(TileKind::Terminator))

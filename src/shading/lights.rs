@@ -6,12 +6,13 @@
 //!   its highlight is             drawn, or so faint that it is left out
 //!   levels                       ambient + sum of diffuse n.l + specular s^rho, where 1 - s = |r - o|^2 / 2
 //! ```
-//! The lights are classified once. Where the bounds, and the rounding of rows, leave something of the tolerance the square is
-//! interpolated through nine samples; elsewhere the same lights are evaluated at its pixels. Samples and pixels are evaluated by the same lines, whose
-//! rounding errors [`super::rounding`] counts. |r - o|^2 / 2 equals 1 - s for unit vectors and cancels nothing (Lyon 1993).
+//! The lights are classified once. If all errors together leave something of the tolerance, the square is interpolated through
+//! nine samples. Otherwise the same lights are evaluated at its pixels. Samples and pixels share one function, whose rounding
+//! errors [`super::rounding`] counts. For unit vectors 1 - s equals |r - o|^2 / 2, which loses no digits (Lyon 1993).
 //!
-//! Where the sign of n.l is in doubt a highlight may jump, and where s < 1/256 and 0 < rho < 1 its slope is too steep for f32.
-//! The level is then not a number, and the pixel is evaluated in f64. Without these marks such squares were evaluated in f64 throughout.
+//! f32 does not suffice where the sign of n.l is in doubt, because a highlight jumps there, and where s < 1/256 and
+//! 0 < rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
+//! again in f64. Without these marks the whole square would be evaluated in f64.
 //!
 //! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
 
@@ -27,8 +28,8 @@ use super::specular::{self, POWER_ERROR};
 use super::{U, bound, limit};
 use crate::simd::{four, inlined, three};
 
-/// The largest number of lights without a bound on a square whose quarters are still tried. With more of them, a quarter hardly
-/// ever has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
+/// The quarters of a square are tried if at most this many lights have no bound on it. With more of them, a quarter hardly ever
+/// has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
 const UNSURE: f64 = 1.0;
 
 /// A light that may light at least one of four squares. Sets are of these squares, a bit each.
@@ -44,7 +45,7 @@ pub struct TileLight {
     pub crosses: u64,
     /// w (L - P).
     pub vector: [[[f32; 4]; 3]; 3],
-    /// Where |n.l| is smaller than this, the sign of n.l is in doubt and the highlight may jump.
+    /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
     pub doubt: [f32; 4],
 }
 
@@ -135,7 +136,7 @@ impl Phong<'_> {
             }
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
-                shines = reflection.most.simd_gt(self.gloss.least) & !dark;
+                shines = reflection[0].simd_gt(self.gloss.least) & !dark;
                 lost += (shines | dark).select(zero, number(self.gloss.faint));
                 let any_shines = shines.any_true();
                 if any_shines {
@@ -145,11 +146,11 @@ impl Phong<'_> {
                     doubt = certain.select(zero, rounding.cosine(&to_light) * U);
                 }
                 if is_bounded {
-                    let power = bound::power(self.gloss.shininess, reflection.most);
+                    let power = bound::power(self.gloss.shininess, reflection[0]);
                     error = power * specular;
                     if any_shines {
                         let bound = &self.gloss.bound;
-                        let bound = bound.error(&normal, &to_light, &eye, &reflection, power);
+                        let bound = bound.error(&normal, &to_light, &eye, reflection, power);
                         error = shines.select(bound * specular, error);
                     }
                 }
@@ -185,7 +186,7 @@ impl Phong<'_> {
         (budget, if interpolate { promising } else { 0 })
     }
 
-    /// Colours of four squares through samples at nine nodes.
+    /// The interpolant of four squares through samples at nine nodes.
     #[inline(always)]
     fn sample<S: Simd>(&self, simd: S, tile: &TileLights, budget: f64x4<S>) -> Interpolant<S> {
         let zero = f64x4::splat(simd, 0.0);

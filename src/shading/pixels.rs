@@ -1,4 +1,5 @@
-//! A list of the pixels of a square that are evaluated one by one. Any sixteen pixels of it fill the lanes.
+//! A list of the pixels of a square at which the model is evaluated. Sixteen of them at a time fill the lanes, whatever rows
+//! they are in.
 
 use std::ops::Range;
 
@@ -6,7 +7,8 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, mask32x16, u32x16};
 use glam::DVec3;
 
-use super::display::{counted, display};
+use super::display::display;
+use super::rows::counted;
 use super::square::MAX_SIDE;
 use crate::simd::{three, two};
 

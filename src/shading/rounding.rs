@@ -145,7 +145,8 @@ mod tests {
 
     fn field([centre, dx, dy]: &Moving) -> Field<Baseline> {
         let [centre, dx, dy] = [centre, dx, dy].map(|v| DVec3::from_array(*v));
-        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(token(), number); 2]);
+        let places = Places { middle, half };
         Field::new(&Affine { centre, dx, dy }, &places)
     }
 

@@ -3,14 +3,38 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
-use super::display::{Rows, counted, display};
+use super::display::display;
 use super::square::{MAX_SIDE, Square};
 use crate::simd::{three, two};
 
-/// 1.5 * 2^15: a float added to it, of size below 2^14, is rounded to a multiple of 1/256 and stands, times 256, in the
-/// low bits.
+/// The colours of a square, evaluated in sixteen columns at a time.
+pub trait Rows<S: Simd> {
+    /// Selects the sixteen columns that start at column `16 * part` of the square.
+    fn go_to(&mut self, part: usize);
+
+    /// Their levels in a row of the square, unclamped.
+    fn levels(&self, row: usize) -> [f32x16<S>; 3];
+
+    /// Their bytes in a row of the square, 0x00RRGGBB.
+    #[inline(always)]
+    fn pixels(&self, row: usize) -> u32x16<S> {
+        display(self.levels(row))
+    }
+}
+
+/// `from`, `from` + 1, ...
+#[inline(always)]
+pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
+    const LANES: [f32; 16] = [
+        0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
+    ];
+    f32x16::simd_from(simd, LANES) + from as i32 as f32
+}
+
+/// 1.5 * 2^15: adding it to a float of size below 2^14 rounds the float to a multiple of 1/256, and the low bits of the sum are
+/// 256 times that.
 const PLACES: f32 = 49_152.0;
-/// The same and a half, with which the byte is the whole part.
+/// The same plus a half: then the whole part is the byte.
 const BIAS: f64 = 49_152.5;
 
 /// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
@@ -25,8 +49,8 @@ pub struct Ramp<S: Simd> {
 }
 
 impl<S: Simd> Ramp<S> {
-    /// `color` by channel and power of y and of x, in pixels from a square's middle; `left` and `top` the first of its pixels
-    /// from there.
+    /// `color` by channel and power of y and of x, in pixels from a square's middle; `left` and `top` are
+    /// the first of its pixels from there.
     #[inline(always)]
     pub fn new(simd: S, color: &[[[f64; 3]; 3]; 4], [left, top]: [f64; 2], side: usize) -> Self {
         let mut starts = [[0; MAX_SIDE]; 2];
@@ -100,7 +124,8 @@ pub struct Curve<S: Simd> {
 }
 
 impl<S: Simd> Curve<S> {
-    /// `color` by channel, n.l last, and power of y and of x, in pixels from a square's middle; `first` its first pixel from there.
+    /// `color` by channel, n.l last, and power of y and of x, in pixels from a square's middle; `first` is the first of its
+    /// pixels from there.
     #[inline(always)]
     pub fn new(
         simd: S,

@@ -3,7 +3,6 @@
 use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
-use super::display::Rows;
 use super::face::Face;
 use super::field::Places;
 use super::gouraud::{Gouraud, TileColors};
@@ -12,11 +11,11 @@ use super::lanes::LaneLayout;
 use super::lights::TileLights;
 use super::phong::{FaceLight, Phong};
 use super::pixels::Pixels;
-use super::rows::Pointwise;
+use super::rows::{Pointwise, Rows};
 use super::square::{MIN_SIDE, Square};
 use super::unit_vectors::UnitVectors;
 use super::{Counts, TileKind};
-use crate::simd::{inlined, outlined};
+use crate::simd::{inlined, outlined, two};
 
 /// Shades a face in one of the modes.
 pub enum Shader<'a> {
@@ -26,8 +25,9 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for evaluation. Returns an interpolant, or None if `interpolate` is false, the method is exact or
-    /// the bounds of Phong exceed the tolerance on all of them; and the set of squares, a bit each, whose quarters are worth trying.
+    /// Prepares four squares for evaluation. Returns their interpolant, and the set of squares, a bit each, whose quarters are
+    /// worth trying. There is no interpolant if `interpolate` is false, the method is exact, or the bounds of Phong exceed the
+    /// tolerance on all four.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,
@@ -53,8 +53,8 @@ impl Shader<'_> {
         }
     }
 
-    /// Evaluates the pixels in the scratch, which are of the square at `index` of those prepared last: in f32 where that keeps
-    /// the tolerance, else in f64. Returns false, and evaluates none, where that may be cheaper on the quarters of the square.
+    /// Evaluates the listed pixels of the square at `index` of those prepared last: in f32 where that keeps the tolerance, else
+    /// in f64. Returns false, and evaluates none, if that may be cheaper on the quarters of the square.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
@@ -71,13 +71,14 @@ impl Shader<'_> {
         } else if square.side > MIN_SIDE {
             return false;
         }
-        let middle = square.middle_from(picture);
+        let middle = square.middle();
+        let middle = two!(|axis| middle[axis] - picture[axis]);
         pixels.define(middle, !in_f32, |x, y| self.define(x, y));
         true
     }
 
-    /// The rows of a square that is covered all over, with the levels that [`Self::evaluate`] finds, if f32 suffices for all
-    /// of its pixels. Without rows, frames at tolerance 0 take 20 to 40 % longer.
+    /// The rows of a square that is covered all over, if f32 suffices for all of its pixels. The levels are those of
+    /// [`Self::evaluate`]. Without rows, frames at tolerance 0 take 20 to 40 % longer.
     #[inline(always)]
     pub fn rows<S: Simd>(
         &self,

@@ -26,8 +26,8 @@ const ROUND: f32 = 12_582_912.0;
 ///
 /// Twice the inverse hyperbolic tangent of f / (2 + f) is ln(1 + f) (Abramowitz and Stegun 4.6.22); four terms leave a
 /// relative error of 9.8e-8 on [sqrt(1/2), sqrt(2)], and where s is at least sqrt(1/2) f is -one_minus_cos itself, so the
-/// logarithm is relatively exact as s goes to 1. The power of two is rounded off and the rest, within +-1/2, goes
-/// through the exponential series to the sixth power (relative error 1.6e-7).
+/// logarithm is relatively exact as s goes to 1. The exponent of the power is split into the nearest integer
+/// and a rest within +-1/2, for which the exponential series is evaluated to the sixth power (relative error 1.6e-7).
 #[inline(always)]
 pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
     let simd = one_minus_cos.token();

@@ -13,6 +13,9 @@ pub const MAX_SIDE: usize = 32;
 /// The side of squares that are not cut further, in pixels.
 pub const MIN_SIDE: usize = 16;
 
+/// The first and the last column of any picture.
+pub const ALL_COLUMNS: [usize; 2] = [0, i32::MAX as usize - 1];
+
 /// The pixels from..to that a face covers of each of its rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Spans<'a> {
@@ -30,7 +33,7 @@ impl Spans<'_> {
         self.first..self.first + self.from.len()
     }
 
-    /// For some rows of the picture: the columns of which any pixel is covered, and the columns that are covered on every row.
+    /// The columns in which any pixel is covered on some rows of the picture, and those that are covered on each of these rows.
     /// Both may be empty.
     pub fn extents(&self, rows: Range<usize>) -> (Range<usize>, Range<usize>) {
         let outer = Square::bounded(self, rows.clone(), [0, i32::MAX]);
@@ -46,13 +49,6 @@ impl Spans<'_> {
         (outer, inner)
     }
 
-    /// Those of some rows of the picture that cover anything.
-    pub fn within(&self, rows: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let rows = rows.start.max(self.first)..rows.end;
-        let spans = self.clipped(rows, [0, i32::MAX as usize - 1]);
-        spans.filter(|(_, span)| !span.is_empty())
-    }
-
     /// Which of the spans are those of some rows of the picture.
     #[inline(always)]
     fn local(&self, rows: Range<usize>) -> Range<usize> {
@@ -62,19 +58,21 @@ impl Spans<'_> {
         start..end.max(start)
     }
 
-    /// The spans within some columns of some rows of the picture, all of which it has.
+    /// The covered pixels within some rows of the picture and from the first to the last of some columns, row by row.
     #[inline(always)]
     pub fn clipped(
         &self,
         rows: Range<usize>,
         [first, last]: [usize; 2],
     ) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let local = self.local(rows.clone());
+        let local = self.local(rows);
+        let rows = self.first + local.start..;
         let spans = self.from[local.clone()].iter().zip(&self.to[local]);
-        (rows.start..).zip(spans.map(move |(&from, &to)| {
+        let clipped = rows.zip(spans.map(move |(&from, &to)| {
             let (from, to) = (from.max(first as i32), to.min(last as i32 + 1));
             from as usize..to.max(from) as usize
-        }))
+        }));
+        clipped.filter(|(_, span)| !span.is_empty())
     }
 }
 
@@ -204,13 +202,6 @@ impl Square {
     pub fn middle(&self) -> [f64; 2] {
         let ends = [self.columns, self.rows];
         two!(|axis| number(ends[axis][0] + ends[axis][1] + 1) / 2.0)
-    }
-
-    /// The same from a place.
-    #[inline(always)]
-    pub fn middle_from(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let middle = self.middle();
-        [middle[0] - x, middle[1] - y]
     }
 
     /// From the middle to the outermost covered pixel centres, in pixels right and down; at least half a pixel,

@@ -1,8 +1,8 @@
 //! The assignment's shortcut: unit n, l and o of the vertices, interpolated linearly on the screen, not renormalised.
 //!
-//! With e_i the weights of a triangle's vertices on the face and w_i their depths, lambda_i = e_i w_i / sum(e_j w_j) are linear
-//! on the screen. A triangle with a vertex nearer than the near plane has no three screen positions: its vectors are
-//! interpolated with e_i, perspective-correctly, as everything else is.
+//! Let e_i be the weights of a triangle's vertices at a point of the face, and w_i the depths of the vertices. The weights
+//! e_i w_i / sum(e_j w_j) are linear on the screen. A vertex nearer than the near plane has no place on the screen; the vectors
+//! of its triangle are interpolated with e_i, perspective-correctly, as everything else is.
 //!
 //! This is its definition, evaluated in f64 at every pixel. It shows the error of the shortcut; its time is not tuned.
 

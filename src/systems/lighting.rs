@@ -42,7 +42,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     }
 }
 
-/// Sums the lights that are on, by position; an ambient light counts as one at infinity, where no other can be.
+/// Sums the lights that are on, by position. Ambient lights get a position at infinity, where no other light can be.
 ///
 /// Sorting brings lights at one position together without a search among all the others for each. Their levels
 /// are part of the sort key, so the sums do not depend on the order of the lights.

@@ -1,14 +1,14 @@
 //! Draws projected polygons: finds the pixels that they cover, compares depths and shades the visible pixels.
 //!
 //! ```text
-//!  polygons --scan conversion--> spans --quadtree of 32 and 16 pixels--> squares --shader--> rows of levels --display step--> frame
-//!                                  '-- of a face of at most 16 x 16 pixels: the visible ones, one by one --'
+//!  polygons --scan conversion--> spans --quadtree--> squares of 32 or 16 pixels --shader--> rows of levels --display--> frame
+//!                                  '-- of a face of at most 16 x 16 pixels: the visible pixels, one by one --'
 //! ```
 //! A pixel is covered if its centre is inside the snapped polygon, or on its top or left edge. The arithmetic is in integers
 //! and exact, so each pixel along a shared edge is drawn once. The depth buffer exists only if there is more than one cuboid,
-//! and then only visible faces and squares are shaded. The picture is cleared, compared in depth and shaded in strips, which
-//! stay in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of a picture do not depend on
-//! threads, strips or the part of the picture that is drawn.
+//! and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by strip, so
+//! that a strip stays in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of a picture
+//! do not depend on threads, strips or the part of the picture that is drawn.
 
 mod canvas;
 mod listing;
@@ -19,10 +19,10 @@ use std::ops::Range;
 use hecs::World;
 
 use crate::components::View;
-use crate::frame::{Band, Counts, DrawList, Frame, Piece};
+use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::affine::Affine;
 use crate::shading::face::Rays;
-use crate::shading::square::MAX_SIDE;
+use crate::shading::square::{ALL_COLUMNS, MAX_SIDE};
 use crate::simd::dispatch;
 
 /// Depths whose relative difference is smaller than this tie, and the cuboid earlier in the file wins. Without this rule
@@ -38,19 +38,17 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     (list.rays, list.tolerance) = (Rays::new(&frame.lens), view.tolerance);
     list.fill(level, world, view);
     list.sort(view.size[1]);
-    frame.paint(view.background, |list, band, scratch| {
-        let mut counts = Counts::default();
+    frame.paint(view.background, |list, band, scratch, counts| {
         for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
             dispatch!(level, _simd => compare(list, strip, &rows, band));
             for piece in list.strip(strip) {
                 // A piece is drawn after its last strip in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
-                    list.shade(level, piece, band, scratch, &mut counts);
+                    list.shade(level, piece, band, scratch, counts);
                 }
             }
         }
-        counts
     });
 }
 
@@ -60,7 +58,7 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) 
     let (deep, middle) = (!band.depths.is_empty(), list.rays.lens.half);
     if !deep {
         for piece in list.strip(strip) {
-            for (row, span) in list.spans(piece).within(rows) {
+            for (row, span) in list.spans(piece).clipped(rows.clone(), ALL_COLUMNS) {
                 band.will_draw(row, span.start, span.end);
             }
         }
@@ -70,8 +68,8 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) 
         return;
     }
     for piece in list.strip(strip) {
-        for (row, span) in list.spans(piece).within(rows) {
-            let pixels = band.index(span.start, row)..band.index(span.end, row);
+        for (row, span) in list.spans(piece).clipped(rows.clone(), ALL_COLUMNS) {
+            let pixels = band.indices(row, &span);
             let ids = &mut band.triangles[pixels.clone()];
             if deep {
                 band.drawn[row - band.rows.start].drew(span.start, span.end);

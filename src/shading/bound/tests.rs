@@ -41,6 +41,15 @@ impl Random {
     }
 }
 
+/// A square at the picture's middle.
+fn square(half: f64) -> Places<Baseline> {
+    let [zero, half] = [0.0, half].map(|number| Number::splat(token(), number));
+    Places {
+        middle: [zero; 2],
+        half: [half; 2],
+    }
+}
+
 fn value(vector: &Affine, x: f64, y: f64) -> DVec3 {
     vector.at(x, y).normalize()
 }
@@ -122,7 +131,7 @@ fn the_cosine_strays_no_further_than_its_bound() {
     let mut ratios = Vec::new();
     for _ in 0..4000 {
         let [normal, light, _] = scene(&mut random);
-        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let places = square(1.0);
         let [n, l] = [normal, light].map(|vector| Field::new(&vector, &places));
         if one(n.radius.max(l.radius)) < MAX_RADIUS {
             let bound = one(cosine_error(&n, &l));
@@ -140,7 +149,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
     for index in 0..6000 {
         let [normal, light, eye] = scene(&mut random);
         let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
-        let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+        let places = square(1.0);
         let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector, &places));
         if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
             continue;
@@ -155,20 +164,21 @@ fn a_highlight_strays_no_further_than_its_bound() {
         };
         let (cosine, lit, dark) = side(&n, &l);
         let range = reflection(&n, &l, &o, cosine);
+        let [most, least, sine] = range.map(one);
         for row in 0..=6 {
             for column in 0..=6 {
                 let [x, y] = [column, row].map(|step| f64::from(step) / 3.0 - 1.0);
                 let s = s(x, y);
-                assert!(s <= one(range.most) + 1e-14 && s >= one(range.least) - 1e-14);
+                assert!(s <= most + 1e-14 && s >= least - 1e-14);
                 let [o, r] = ends(x, y);
-                assert!(o.cross(r).length() <= one(range.sine) + 1e-14);
+                assert!(o.cross(r).length() <= sine + 1e-14);
                 let cosine = value(&normal, x, y).dot(value(&light, x, y));
                 assert!(!lit.test(0) || cosine > 0.0);
                 assert!(!dark.test(0) || cosine <= 0.0);
             }
         }
         let highlight = Highlight::new(shininess);
-        let bound = one(highlight.error(&n, &l, &o, &range, power(shininess as f32, range.most)));
+        let bound = one(highlight.error(&n, &l, &o, range, power(shininess as f32, range[0])));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
             ratios.push((error - 1e-14) / (bound + 1e-14));
@@ -246,7 +256,7 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     // o and r are 60 degrees apart, so |r - o| = 1. Only l moves, along x, with p = q = 1/10: E_1 = 0.1,
     // E_2 = 0.02 / sqrt(3), E_3 = 0.003. For rho = 1 the third derivative is at most 3 E_1 E_2 + |r - o| E_3.
     let number = |value| f64x4::splat(token(), value);
-    let places = Places::single(token(), [0.0; 2], [0.5; 2]);
+    let places = square(0.5);
     let vector = Affine {
         centre: DVec3::Z,
         ..Affine::default()
@@ -254,12 +264,8 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     let resting = Field::new(&vector, &places);
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
-    let range = Reflection {
-        most: number(0.5),
-        least: number(0.5),
-        sine: number(0.75_f64.sqrt()),
-    };
-    let found = Highlight::new(1.0).error(&resting, &moving, &resting, &range, number(0.5));
+    let range = [0.5, 0.5, 0.75_f64.sqrt()].map(number);
+    let found = Highlight::new(1.0).error(&resting, &moving, &resting, range, number(0.5));
     let expected = (0.3 * 0.02 / 3.0_f64.sqrt() + 0.003) / 24.0;
     assert!((one(found) / expected - 1.0).abs() < 1e-6);
 }
@@ -267,7 +273,7 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
 #[test]
 fn the_motion_of_a_vector_does_not_depend_on_its_scale() {
     // At 2^-283 the square of the area of two steps is below the smallest f64.
-    let places = Places::single(token(), [0.0; 2], [1.0; 2]);
+    let places = square(1.0);
     let field = |scale: f64| {
         let vector = Affine {
             centre: DVec3::new(0.0, 0.0, 2.0) * scale,

@@ -3,7 +3,8 @@
 //! Rule: every kind of row stays within its budget, and shows the levels it has.
 
 use super::*;
-use crate::shading::display::{Rows, display_step};
+use crate::shading::display::display_step;
+use crate::shading::rows::Rows;
 use crate::shading::running::Rounded;
 use crate::simd::{Baseline, token};
 

@@ -14,8 +14,8 @@ use glam::{DMat3, DVec3};
 
 use crate::components::{Lens, Polygon, Projection, length, unit};
 
-/// Half the side of the square, in pixels round the picture's centre, to which polygons are clipped: with it and
-/// pictures of at most 16384 pixels a side, the edge functions of rasterization stay below 2^62.
+/// Polygons are clipped to a square round the picture's centre. This is half its side, in pixels. In pictures of at most 16384
+/// pixels a side the edge functions of rasterization then stay below 2^62.
 const GUARD_BAND: f64 = 2_097_152.0;
 
 /// The rounding error of the sideways position of a visible point, relative to its depth: products and sums of three f64. If the
@@ -110,8 +110,8 @@ impl<'a> Frustum<'a> {
         }
     }
 
-    /// The snapped pixel of a visible point. It is clamped to the guard band, which large numbers may leave by rounding and on
-    /// which rasterization relies.
+    /// The snapped pixel of a visible point. Rasterization relies on the guard band, which rounding of large numbers may leave,
+    /// so the pixel is clamped to it.
     pub fn snapped(&self, seen: DVec3) -> [i32; 2] {
         let pixel = self.lens.pixel(self.lens.homogeneous(seen));
         [0, 1].map(|axis| {
@@ -183,7 +183,7 @@ impl EdgeLine {
         let direction = unit(along);
         let times = middle.dot(direction) / length(along);
         EdgeLine {
-            // Two vector products instead of a difference along the edge, whose rounding error grows with the length of the edge.
+            // The rounding error of a difference along the edge would grow with its length; that of two vector products does not.
             nearest: direction.cross(middle.cross(direction)),
             along,
             ends: [times - 1.0, times + 1.0],

@@ -9,9 +9,9 @@ use fearless_simd::{Simd, mask32x16, u32x16};
 
 use crate::frame::{Band, Counts, OUTLINE, face};
 use crate::shading::TileKind;
-use crate::shading::display::Rows;
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
+use crate::shading::rows::Rows;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
 use crate::simd::three;
 
@@ -21,7 +21,7 @@ pub struct Canvas<'a, 'b> {
     pub spans: Spans<'a>,
     /// The number of the face's first triangle.
     pub id: u32,
-    /// The square being drawn.
+    /// The square that is drawn next.
     pub square: Square,
     /// The picture's middle, in pixels from its corner.
     pub picture: [f64; 2],
@@ -42,8 +42,7 @@ impl Canvas<'_, '_> {
         }
         self.band.depths.is_empty()
             || self.spans.clipped(rows, square.columns).any(|(row, span)| {
-                let pixels = self.band.index(span.start, row)..self.band.index(span.end, row);
-                let mut ids = self.band.triangles[pixels].iter();
+                let mut ids = self.band.triangles[self.band.indices(row, &span)].iter();
                 ids.any(|id| face(*id) == face(self.id))
             })
     }
@@ -56,19 +55,16 @@ impl Canvas<'_, '_> {
             && self.rows().len() == self.square.side
     }
 
-    /// Lists the pixels of the square in which the piece is seen; returns the number of strips in which these lie.
+    /// Lists the pixels of the square at which the piece is visible. Returns the number of strips that these pixels lie in.
     #[inline(always)]
     pub fn list<S: Simd>(&self, simd: S, pixels: &mut Pixels) -> u64 {
         pixels.clear();
         let [left, top] = self.square.first().map(|first| first as f32);
         let (mut strips, mut last) = (0, None);
         for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
-            if span.is_empty() {
-                continue;
-            }
             let x = left + (span.start - self.square.place[0]) as i32 as f32;
             let y = top + (row - self.square.place[1]) as i32 as f32;
-            let indices = self.band.index(span.start, row)..self.band.index(span.end, row);
+            let indices = self.band.indices(row, &span);
             let before = pixels.count();
             if self.band.triangles.is_empty() {
                 pixels.extend(simd, [x, y], indices);
@@ -168,9 +164,6 @@ impl Canvas<'_, '_> {
             rows.go_to(part);
             let first = left + 16 * part;
             for (row, span) in self.spans.clipped(held.clone(), [first, first + 15]) {
-                if span.is_empty() {
-                    continue;
-                }
                 let seen = self.seen(first, row, span);
                 self.counts.covered_pixels += u64::from(seen.count_ones());
                 let start = self.band.index(first, row);

@@ -58,7 +58,7 @@ impl DrawList {
         let shader = &self.shader(object, &face, &mut lights, &mut to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
-                let places = Places::single(simd, square.middle_from(canvas.picture), square.half());
+                let places = Places::new(simd, &[*square; 4], canvas.picture);
                 shader.prepare(simd, &places, false, scratch);
                 canvas.draw_listed(simd, shader, 0, strips, scratch);
             }
@@ -81,17 +81,16 @@ impl DrawList {
             centre: object.place.position,
         };
         let (corners, tolerance) = (&object.corners, self.tolerance);
+        let normals = || face.interpolate(corners, 0);
         match object.mode {
             ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),
             ShadingMode::Phong => {
-                let (normals, gloss) = (face.interpolate(corners, 0), &self.glosses[object.gloss]);
-                let phong = Phong::new(face, normals, surface, gloss, lights, tolerance);
+                let gloss = &self.glosses[object.gloss];
+                let phong = Phong::new(face, normals(), surface, gloss, lights, tolerance);
                 Shader::Phong(phong)
             }
             ShadingMode::UnitVectors => {
-                let normals = face.interpolate(corners, 0);
-                let vectors = UnitVectors::new(face, &normals, surface, to_lights);
-                Shader::UnitVectors(vectors)
+                Shader::UnitVectors(UnitVectors::new(face, &normals(), surface, to_lights))
             }
         }
     }

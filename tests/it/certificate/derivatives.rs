@@ -7,6 +7,7 @@
 
 use std::array::from_fn;
 
+use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 use glam::DVec3;
 use shadetrade::shading::affine::Affine;
@@ -89,7 +90,8 @@ fn vectors(random: &mut Random) -> [Affine; 3] {
 /// The vector on the square, unless it moves too far for bounds.
 fn field(vector: &Affine) -> Option<Field<Baseline>> {
     let simd = baseline().expect("every machine has these lanes");
-    let field = Field::new(vector, &Places::single(simd, [0.0; 2], [1.0; 2]));
+    let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(simd, number); 2]);
+    let field = Field::new(vector, &Places { middle, half });
     (field.radius.as_array()[0] < MAX_RADIUS).then_some(field)
 }
 
@@ -156,7 +158,7 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             cosine_error(&normal, &light).as_array()[0],
         );
         let range = reflection(&normal, &light, &eye, side(&normal, &light).0);
-        if range.least.as_array()[0] <= 0.0 {
+        if range[1].as_array()[0] <= 0.0 {
             continue;
         }
         let index = case % SHININESS.len();
@@ -166,8 +168,8 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             let (both, across) = (times(&dot(&n, &l), &dot(&n, &o)), dot(&l, &o));
             power(&from_fn(|k| 2.0 * both[k] - across[k]), shininess)
         });
-        let most = bound::power(shininess as f32, range.most);
-        let bound = Highlight::new(shininess).error(&normal, &light, &eye, &range, most);
+        let most = bound::power(shininess as f32, range[0]);
+        let bound = Highlight::new(shininess).error(&normal, &light, &eye, range, most);
         keep(&mut shares[index], highlight, bound.as_array()[0]);
     }
     println!("largest shares of the bounds: {lit:.3} for n.l, {shares:.3?} for s^rho");

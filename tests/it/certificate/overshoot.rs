@@ -1,5 +1,7 @@
 //! Slivers: how far snapping takes pixels off other faces, and that f32 evaluates no pixel of a sliver.
 
+use fearless_simd::f64x4;
+use fearless_simd::prelude::*;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
 use shadetrade::components::{Illumination, Lens, Projection, WorldTransform};
@@ -97,7 +99,8 @@ proptest! {
         let rays = Rays::new(&lens);
         let face = Face::new(2, &cuboid, edges, &rays);
         let simd = baseline().expect("every machine has the baseline");
-        let places = Places::single(simd, middle, half);
+        let lanes = |place: [f64; 2]| place.map(|number| f64x4::splat(simd, number));
+        let places = Places { middle: lanes(middle), half: lanes(half) };
         let w = |x: f64, y: f64| face.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
