@@ -184,5 +184,5 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
 pub fn print_completions(shell: Shell) -> anyhow::Result<()> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "shadetrade", &mut script);
-    Output::Stdout.write(|writer| writer.write_all(&script))
+    Output::Stdout.write(script)
 }

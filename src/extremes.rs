@@ -27,10 +27,10 @@ use crate::systems;
 const FOLDER: &str = "extremes/";
 
 /// The least number of pixels that show a cuboid, in all pictures from one camera: fewer prove little.
-const MIN_COVERED: u64 = 100;
+const MIN_COVERED: u64 = 25;
 
 /// Width and height of a picture where the index names none, in pixels.
-const SIZE: [usize; 2] = [96, 72];
+pub const SIZE: [usize; 2] = [96, 72];
 
 /// A scene and its expectations: those of the index, or the defaults.
 #[derive(Deserialize)]
@@ -40,8 +40,8 @@ pub struct Extreme {
     #[serde(skip)]
     pub name: &'static str,
     /// Width and height of the pictures in pixels.
-    size: [usize; 2],
-    projections: Vec<Projection>,
+    pub size: [usize; 2],
+    pub projections: Vec<Projection>,
     modes: Vec<ShadingMode>,
     fact: Option<KnownFact>,
 }
@@ -135,12 +135,11 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     Ok(table)
 }
 
-/// Proves the pictures of extremes on rayon's current threads: `all` of them, or every second one of a quarter of the pixels
-/// where the index names no size.
-pub fn examine(extremes: &[Extreme], level: Level, all: bool, monitor: Monitor) -> Vec<Outcome> {
+/// Proves the pictures of extremes on rayon's current threads.
+pub fn examine(extremes: &[Extreme], level: Level, monitor: Monitor) -> Vec<Outcome> {
     let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
         (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
-        let observed = extreme.observe(level, all);
+        let observed = extreme.observe(level);
         Outcome {
             name: extreme.name,
             expected: extreme.expected(),
@@ -156,7 +155,7 @@ pub fn examine(extremes: &[Extreme], level: Level, all: bool, monitor: Monitor) 
 /// # Errors
 /// If one of them fails, or the result cannot be printed.
 pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<()> {
-    let outcomes = with_bar(|monitor| Ok(examine(extremes, level, true, monitor)))?;
+    let outcomes = with_bar(|monitor| Ok(examine(extremes, level, monitor)))?;
     print(&outcomes, as_json, || text(&outcomes))?;
     all_pass(&outcomes)
 }
@@ -196,16 +195,13 @@ impl Extreme {
     }
 
     /// Proves the pictures and checks the fact. Returns the largest proven errors in words.
-    fn observe(&self, level: Level, all: bool) -> anyhow::Result<String> {
+    fn observe(&self, level: Level) -> anyhow::Result<String> {
         let mut scene = Scene::load(Some(&format!("{FOLDER}{}", self.name)))?;
         let (mut covered, mut pictures, mut worst) = (0, 0, [0.0_f64; 2]);
-        for (number, camera) in names::<Camera>(&scene.world).iter().enumerate() {
+        for camera in &names::<Camera>(&scene.world) {
             scene.look_from(camera)?;
             let mut seen = 0;
-            for (index, view) in self.views(&scene.world, all).iter().enumerate() {
-                if !all && (index / 2 + number) % 2 == 1 {
-                    continue;
-                }
+            for (index, view) in self.views(&scene.world).iter().enumerate() {
                 let proof = self.check(&mut scene.world, view, level);
                 let proof = proof.with_context(|| {
                     let mode = view.shading.map_or("", ShadingMode::name);
@@ -216,9 +212,8 @@ impl Extreme {
                 seen += proof.covered;
                 pictures += 1;
             }
-            let least = if all { MIN_COVERED } else { MIN_COVERED / 4 };
             ensure!(
-                seen >= least || self.fact.is_some(),
+                seen >= MIN_COVERED || self.fact.is_some(),
                 "camera {camera}: only {seen} pixels show a cuboid"
             );
             covered += seen;
@@ -230,14 +225,8 @@ impl Extreme {
     }
 
     /// The views of the active camera, each at tolerance 0 and then at 0.5.
-    fn views(&self, world: &World, all: bool) -> Vec<View> {
-        let is_small = !all && self.size == SIZE;
-        let size = if is_small {
-            SIZE.map(|it| it / 2)
-        } else {
-            self.size
-        };
-        let view = View::of(world, size);
+    fn views(&self, world: &World) -> Vec<View> {
+        let view = View::of(world, self.size);
         let mut views = Vec::new();
         for &projection in &self.projections {
             for &mode in &self.modes {
@@ -262,15 +251,10 @@ impl Extreme {
         };
         let mut examples = proof.examples.iter();
         let is_wrong = |it: &&Example| it.verdict == Verdict::Refuted || Some(it.pixel) != known;
-        if let Some(Example {
-            pixel: [x, y],
-            verdict,
-            drawn,
-            enclosure,
-            ..
-        }) = examples.find(is_wrong)
-        {
-            bail!("pixel {x},{y} is {verdict:?}: drawn {drawn:.4?}, exact {enclosure:.4?}");
+        if let Some(wrong) = examples.find(is_wrong) {
+            let ([x, y], verdict) = (wrong.pixel, wrong.verdict.name());
+            let (drawn, exact) = (wrong.drawn, wrong.enclosure);
+            bail!("pixel {x},{y} is {verdict}: drawn {drawn:.4?}, exact {exact:.4?}");
         }
         let Some(fact) = self.fact else {
             return Ok(proof);
@@ -297,16 +281,16 @@ mod tests {
     fn outcome(name: &str, fact: Option<KnownFact>) -> Outcome {
         let mut extremes = named(&[name.to_owned()]).expect("it is built in");
         extremes[0].fact = fact;
-        examine(&extremes, Level::new(), false, Monitor::NONE).remove(0)
+        examine(&extremes, Level::new(), Monitor::NONE).remove(0)
     }
 
     #[test]
-    fn half_of_the_pictures_are_proven_by_default_at_both_tolerances() {
+    fn every_picture_is_proven_at_both_tolerances() {
         let found = outcome("assignment", None);
-        let is_half = found.observed.contains("in 8 pictures");
-        assert!(found.pass && is_half, "{found:?}");
+        let is_whole = found.observed.contains("in 16 pictures");
+        assert!(found.pass && is_whole, "{found:?}");
         let scene = Scene::load(None).expect("it is built in");
-        let views = Extreme::default().views(&scene.world, true);
+        let views = Extreme::default().views(&scene.world);
         assert!(
             views
                 .chunks(2)

@@ -9,7 +9,7 @@ mod png;
 use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
@@ -46,23 +46,16 @@ impl Output {
         }
     }
 
-    /// Writes what `content` writes to its argument.
+    /// Writes the whole content.
     ///
     /// # Errors
-    /// If the content cannot be written. An existing file is then unchanged.
-    pub fn write(
-        &self,
-        content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> anyhow::Result<()> {
+    /// If it cannot be written. An existing file is then unchanged.
+    pub fn write(&self, content: impl AsRef<[u8]>) -> anyhow::Result<()> {
+        let content = content.as_ref();
         match self {
             Output::Stdout => {
-                // Encoders hide the kind of an error, so the whole content is collected before it is written.
-                let mut bytes = Vec::new();
                 let mut stdout = io::stdout().lock();
-                let written = content(&mut bytes)
-                    .and_then(|()| stdout.write_all(&bytes))
-                    .and_then(|()| stdout.flush());
-                match written {
+                match stdout.write_all(content).and_then(|()| stdout.flush()) {
                     Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
                     written => written.context("cannot write to standard output"),
                 }
@@ -75,9 +68,10 @@ impl Output {
     /// Writes a PNG of `pixels`, 0x00RRGGBB row by row from the top.
     ///
     /// # Errors
-    /// As [`Output::write`].
+    /// As [`Output::write`], or if the encoded picture does not fit in memory.
     pub fn write_png(&self, pixels: &[u32], size: [usize; 2]) -> anyhow::Result<()> {
-        self.write(|writer| encode_png(writer, pixels, size))
+        let encoded = encode_png(pixels, size);
+        self.write(encoded.with_context(|| format!("cannot write {}", self.name()))?)
     }
 }
 
@@ -100,9 +94,8 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
 /// # Errors
 /// As [`Output::write`].
 pub fn write_texts(folder: &Path, files: &[(&str, String)]) -> anyhow::Result<()> {
-    files.iter().try_for_each(|(name, text)| {
-        Output::File(folder.join(name)).write(|writer| writer.write_all(text.as_bytes()))
-    })
+    let mut files = files.iter();
+    files.try_for_each(|(name, text)| Output::File(folder.join(name)).write(text))
 }
 
 /// A record as JSON text with a final line break.
@@ -127,7 +120,7 @@ pub fn print<T: Serialize>(
     } else {
         printable(&text()) + "\n"
     };
-    Output::Stdout.write(|writer| writer.write_all(text.as_bytes()))
+    Output::Stdout.write(text)
 }
 
 /// Prints a line to standard error, so that standard output holds the result alone.
@@ -153,24 +146,11 @@ pub fn quoted(word: &str) -> String {
     }
 }
 
-/// Writes `content` through a buffer and reports errors of the final flush.
-fn buffered(
-    writer: impl Write,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<()> {
-    let mut writer = BufWriter::new(writer);
-    content(&mut writer)?;
-    writer.flush()
-}
-
 /// Replaces the file that `path` leads to, or creates it. Devices and pipes are written directly.
-fn write_file(
-    path: &Path,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> anyhow::Result<()> {
+fn write_file(path: &Path, content: &[u8]) -> anyhow::Result<()> {
     // A file that may not be written may not be replaced either.
     let old = match OpenOptions::new().append(true).open(path) {
-        Ok(device) if !device.metadata()?.is_file() => return Ok(buffered(device, content)?),
+        Ok(mut device) if !device.metadata()?.is_file() => return Ok(device.write_all(content)?),
         Ok(file) => Some(file.metadata()?.permissions()),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => return Err(error.into()),
@@ -197,7 +177,7 @@ fn write_file(
 pub fn write_numbered(
     folder: &Path,
     name: impl Fn(u32) -> String,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    content: &[u8],
 ) -> io::Result<PathBuf> {
     let mut file = temporary_file(folder, content)?;
     for number in 1..=9999 {
@@ -216,15 +196,12 @@ pub fn write_numbered(
 }
 
 /// A hidden file with the content and the default permissions of a new file. It is deleted on drop.
-fn temporary_file(
-    folder: &Path,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> io::Result<tempfile::NamedTempFile> {
+fn temporary_file(folder: &Path, content: &[u8]) -> io::Result<tempfile::NamedTempFile> {
     let mut name = tempfile::Builder::new();
     name.prefix(".shadetrade-").suffix(".tmp");
     // Opened here, because an error of the library would name the temporary file.
     let file = name.make_in(folder, |path| File::create_new(path))?;
-    buffered(file.as_file(), content)?;
+    file.as_file().write_all(content)?;
     Ok(file)
 }
 

@@ -46,6 +46,11 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// The name in messages and in JSON.
+    pub fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
+    }
+
     /// Whether an error that lies between these is within the limit.
     pub fn of([least, most]: [f64; 2], limit: f64) -> Self {
         if most <= limit {
@@ -86,6 +91,8 @@ pub struct Example {
 /// The proof of a picture. Errors and widths are between displayed levels.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
+    /// The largest allowed error of a pixel, in levels of 255.
+    pub limit: f64,
     pub proven: u64,
     pub refuted: u64,
     pub undecided: u64,
@@ -213,11 +220,6 @@ impl Proof {
     }
 }
 
-/// The largest allowed error of a pixel, in levels of 255. Bytes are rounded levels and may err by half a level more.
-fn limit_of(view: &View, is_bytes: bool) -> f64 {
-    limit(view.tolerance) + if is_bytes { 0.5 } else { 0.0 }
-}
-
 /// Proves `picture`, 0x00RRGGBB row by row from the top, on rayon's current threads. Without one, proves the picture that
 /// the renderer draws of `view` at the SIMD level.
 ///
@@ -235,8 +237,11 @@ pub fn prove(
         [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level)));
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
-    let limit = limit_of(view, picture.is_some());
+    // Bytes are rounded levels.
+    let rounding = if picture.is_some() { 0.5 } else { 0.0 };
+    let limit = limit(view.tolerance) + rounding;
     let mut proof = Proof {
+        limit,
         marks: memory::reserve_pixels(view.size)?,
         ..Proof::default()
     };
@@ -269,14 +274,11 @@ pub fn prove(
         }
         Ok(())
     })?;
-    for mark in &proof.marks {
-        match mark.verdict {
-            Verdict::Proven => proof.proven += 1,
-            Verdict::Undecided => proof.undecided += 1,
-            Verdict::Refuted => proof.refuted += 1,
-        }
-        proof.outline += u64::from(mark.is_outline);
-        proof.covered += u64::from(mark.is_covered);
-    }
+    let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
+    proof.proven = count(|mark| mark.verdict == Verdict::Proven);
+    proof.undecided = count(|mark| mark.verdict == Verdict::Undecided);
+    proof.refuted = count(|mark| mark.verdict == Verdict::Refuted);
+    proof.outline = count(|mark| mark.is_outline);
+    proof.covered = count(|mark| mark.is_covered);
     Ok(proof)
 }

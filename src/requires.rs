@@ -154,25 +154,22 @@ pub fn changes(
     let all = left_out.len().div_ceil(AT_ONCE) * height;
     let mut changes = Vec::with_capacity(left_out.len());
     for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
-        // Each with whether it is in intervals.
+        let is_enclosed = |parts: &[Part]| !parts.contains(&Part::F64SetUp);
         let picture = |parts: &Vec<Part>| {
             let (world, rule) = (&without(scene, parts).world, rule(parts));
-            if parts.contains(&Part::F64SetUp) {
-                (rows(Reference::<f32>::without(world, view, rule)), false)
+            if is_enclosed(parts) {
+                rows(Reference::<Interval>::without(world, view, rule))
             } else {
-                (
-                    rows(Reference::<Interval>::without(world, view, rule)),
-                    true,
-                )
+                rows(Reference::<f32>::without(world, view, rule))
             }
         };
-        let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
+        let pictures: Vec<PixelRows> = some.iter().map(picture).collect();
         let by_row = monitor.in_parallel("leaving out", 0..height, [first, all], |y| {
             let full = full(y);
-            let change = |(picture, is_enclosed): &(PixelRows, bool)| {
+            let change = |(picture, parts): (&PixelRows, &Vec<Part>)| {
                 let pixels = full.iter().zip(picture(y));
                 Change::sum(pixels.map(|(full, without)| {
-                    let largest_error = error(full, &without, *is_enclosed);
+                    let largest_error = error(full, &without, is_enclosed(parts));
                     let pixels = u64::from(largest_error[0] > limit);
                     Change {
                         largest_error,
@@ -180,7 +177,11 @@ pub fn changes(
                     }
                 }))
             };
-            Ok(pictures.iter().map(change).collect::<Vec<Change>>())
+            Ok(pictures
+                .iter()
+                .zip(some)
+                .map(change)
+                .collect::<Vec<Change>>())
         })?;
         let of_picture = |number: usize| Change::sum(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));

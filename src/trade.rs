@@ -48,16 +48,17 @@ pub fn measure_report(
     time_batch: TimeBatch,
     monitor: Monitor,
 ) -> anyhow::Result<Report> {
+    let drawing = &request.drawing;
     let methods = measure(request, &[], time_batch, monitor)?;
     let words = std::env::args_os().skip(1);
     let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
     Ok(Report {
-        machine: Machine::this(request.level),
+        machine: Machine::this(drawing.level),
         command: format!("shadetrade {}", words.join(" ")),
-        scene: request.scene.name.clone(),
-        camera: camera_name(&request.scene.world),
-        projection: request.view.projection,
-        size: request.view.size,
+        scene: drawing.scene.name.clone(),
+        camera: camera_name(&drawing.scene.world),
+        projection: drawing.view().projection,
+        size: drawing.size,
         covered_pixels: methods.first().map_or(0, |it| it.counts.covered_pixels),
         methods,
     })
@@ -72,7 +73,7 @@ pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
         output::make_folder(folder)?;
     }
     let report = with_bar(|monitor| measure_report(request, batch::time_in_a_process, monitor))?;
-    Output::Stdout.write(|writer| writer.write_all(export::table(&report).as_bytes()))?;
+    Output::Stdout.write(export::table(&report))?;
     if let Some(folder) = out {
         write_files(&report, folder)?;
         output::say(&format!(

@@ -17,7 +17,7 @@ use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::Output;
 use crate::prove::{PngPicture, read_png};
 use crate::scene::Scene;
-use crate::shading::METHODS;
+use crate::shading::{METHODS, Method};
 use crate::trade;
 
 /// The options of `view`.
@@ -121,14 +121,14 @@ impl TradeOptions {
         } else {
             trade::USUAL_TIME
         };
-        let time = self.seconds.unwrap_or(usual);
-        let mut request = trade::Request::new(drawing, time, true);
-        if let Some(ids) = &self.methods {
-            request
-                .methods
-                .retain(|method| ids.iter().any(|id| id == method.id));
-        }
-        Ok(request)
+        let ids = self.methods.as_ref();
+        let is_chosen = |it: &Method| ids.is_none_or(|ids| ids.iter().any(|id| id == it.id));
+        Ok(trade::Request {
+            drawing,
+            methods: METHODS.iter().copied().filter(is_chosen).collect(),
+            time: self.seconds.unwrap_or(usual),
+            is_report: true,
+        })
     }
 }
 

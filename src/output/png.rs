@@ -2,7 +2,7 @@
 //!
 //! A frame smaller than the canvas is placed in its upper left corner on black.
 
-use std::io::{self, Write};
+use std::io;
 use std::ops::Range;
 use std::time::Duration;
 
@@ -10,25 +10,27 @@ use png::{BitDepth, BlendOp, ColorType, Compression, Encoder, Filter, Writer};
 
 use crate::memory;
 
-/// Writes a PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
+/// A PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
 ///
 /// # Errors
-/// If the copy does not fit in memory or the file cannot be written.
-pub fn encode_png(writer: &mut dyn Write, pixels: &[u32], size: [usize; 2]) -> io::Result<()> {
-    let mut encoder = encoder(writer, size, Compression::Fast);
+/// If the copy does not fit in memory.
+pub fn encode_png(pixels: &[u32], size: [usize; 2]) -> io::Result<Vec<u8>> {
+    let mut file = Vec::new();
+    let mut encoder = encoder(&mut file, size, Compression::Fast);
     encoder.set_filter(Filter::Adaptive);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&rgb(pixels)?)?;
-    Ok(writer.finish()?)
+    writer.finish()?;
+    Ok(file)
 }
 
 /// An encoder of pictures with 8 bits for each of red, green and blue.
 fn encoder(
-    writer: &mut dyn Write,
+    file: &mut Vec<u8>,
     [width, height]: [usize; 2],
     compression: Compression,
-) -> Encoder<'static, &mut dyn Write> {
-    let mut encoder = Encoder::new(writer, width as u32, height as u32);
+) -> Encoder<'static, &mut Vec<u8>> {
+    let mut encoder = Encoder::new(file, width as u32, height as u32);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(compression);
@@ -48,19 +50,19 @@ fn rgb(pixels: &[u32]) -> io::Result<Vec<u8>> {
 
 /// An animated PNG that is being written.
 pub struct Animation<'a> {
-    writer: Writer<&'a mut dyn Write>,
+    writer: Writer<&'a mut Vec<u8>>,
     size: [usize; 2],
     /// The canvas as it was last shown, 0x00RRGGBB; empty before the first frame.
     last: Vec<u32>,
 }
 
 impl<'a> Animation<'a> {
-    /// Begins an animation of `frames` frames on a canvas of `size` pixels.
+    /// Begins an animation of `frames` frames on a canvas of `size` pixels. It is encoded into `file`.
     ///
     /// # Errors
     /// If the header cannot be written.
-    pub fn new(writer: &'a mut dyn Write, size: [usize; 2], frames: usize) -> io::Result<Self> {
-        let mut encoder = encoder(writer, size, Compression::High);
+    pub fn new(file: &'a mut Vec<u8>, size: [usize; 2], frames: usize) -> io::Result<Self> {
+        let mut encoder = encoder(file, size, Compression::High);
         encoder.set_animated(frames as u32, 0)?;
         encoder.set_blend_op(BlendOp::Source)?;
         Ok(Animation {

@@ -6,7 +6,7 @@ use anyhow::bail;
 use serde::Serialize;
 
 use super::png::PngPicture;
-use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, limit_of, prove};
+use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
 use crate::components::{Mesh, names};
 use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
@@ -26,7 +26,6 @@ struct Record<'a> {
     size: [usize; 2],
     mode: &'static str,
     tolerance: f64,
-    limit: f64,
     seconds: f64,
     pixels: usize,
     #[serde(flatten)]
@@ -69,7 +68,6 @@ pub fn run(
         size: view.size,
         mode: drawing.mode(),
         tolerance: view.tolerance,
-        limit: limit_of(&view, size.is_some()),
         seconds: begin.elapsed().as_secs_f64(),
         pixels: proof.marks.len(),
         proof: &proof,
@@ -93,6 +91,7 @@ fn color(pixel: u32, mark: Mark) -> u32 {
 
 fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     let Proof {
+        limit,
         proven,
         refuted,
         undecided,
@@ -102,7 +101,7 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
         reference_error,
         ..
     } = record.proof;
-    let (subject, pixels, limit) = (drawing.subject(), record.pixels, record.limit);
+    let (subject, pixels) = (drawing.subject(), record.pixels);
     let mut lines = vec![format!(
         "{subject}\n\
          proven     {proven} of {pixels} pixels\n\
@@ -120,7 +119,7 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     }
     for example in &record.proof.examples {
         let [x, y] = example.pixel;
-        let verdict = format!("{:?}", example.verdict).to_lowercase();
+        let verdict = example.verdict.name();
         let [least, most] = example.error;
         lines.push(format!(
             "pixel {x},{y} is {verdict}, {}: off by {least:.3} to {most:.3} levels",

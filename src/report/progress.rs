@@ -1,11 +1,10 @@
 //! The progress of long work, and the bar on standard error that shows it.
 
-use std::fmt::Write;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::{Context, ensure};
-use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 /// Rows of a picture that are evaluated at once. They bound the memory of a comparison.
@@ -98,15 +97,8 @@ impl Monitor<'_> {
 /// # Errors
 /// Those of `work`.
 pub fn with_bar<T>(work: impl FnOnce(Monitor) -> anyhow::Result<T>) -> anyhow::Result<T> {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %, {eta} left")
         .context("the template of the progress bar is wrong")?;
-    // An estimate of less than a second is not shown.
-    let style = style.with_key("left", |state: &ProgressState, text: &mut dyn Write| {
-        let seconds = state.eta().as_secs();
-        if seconds > 0 {
-            let _ = write!(text, ", {seconds} s left");
-        }
-    });
     let bar = ProgressBar::new(1000).with_style(style);
     let progress = |step, share: f64| {
         if bar.message() != step {

@@ -170,7 +170,7 @@ fn write_least(
     let mut record = SceneRecord::of(&without(scene, &left_out).world);
     record.keep_active_camera();
     let text = updated("", &record);
-    output.write(|writer| write!(writer, "# {comments}\n\n{text}"))?;
+    output.write(format!("# {comments}\n\n{text}"))?;
     say(&format!("wrote {}: {found}", output.name()));
     Ok(())
 }

@@ -39,22 +39,22 @@ pub fn errors(
     methods: &[Method],
     monitor: Monitor,
 ) -> anyhow::Result<Vec<Measurement>> {
-    let (view, rows) = (&request.view, 0..request.view.size[1]);
+    let view = &request.drawing.view();
     if methods.is_empty() {
         return Ok(Vec::new());
     }
     let bytes = BYTES + usize::from(request.is_report) * BYTES_OF_REPORT;
     memory::check(view.size, view.size[0] * view.size[1] * bytes)
         .context("the methods cannot be compared")?;
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(request.level));
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
     let kept = highlights_kept(request, methods, &mut frame, monitor)?;
-    let mut scene = request.scene.snapshot();
+    let mut scene = request.drawing.scene.snapshot();
     let own_modes = methods.iter().map(|method| method.mode);
     let own_modes = own_modes.filter(|_| request.is_report);
     let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
     let truth = |mode| {
         let view = view.shaded(mode);
-        let truth = reference::picture(&scene.world, &view, rows.clone(), monitor)?;
+        let truth = reference::picture(&scene.world, &view, 0..view.size[1], monitor)?;
         Ok((mode, truth))
     };
     let truths = modes.into_iter().map(truth);
@@ -76,7 +76,7 @@ pub fn errors(
         }
         measured.push(Measurement {
             method: *method,
-            threads: request.threads,
+            threads: request.drawing.threads,
             timing: Timing::default(),
             ns_per_covered_pixel: None,
             counts: frame.counts(),
@@ -100,13 +100,13 @@ fn highlights_kept(
     frame: &mut Frame,
     monitor: Monitor,
 ) -> anyhow::Result<Vec<Option<f64>>> {
-    let mut scene = request.scene.snapshot();
+    let mut scene = request.drawing.scene.snapshot();
     for light in scene.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
     }
     let view = View {
         background: DVec3::ZERO,
-        ..request.view.shaded(ShadingMode::Phong)
+        ..request.drawing.view().shaded(ShadingMode::Phong)
     };
     let whole = reference::picture(&scene.world, &view, 0..view.size[1], monitor)?;
     let kept = methods.iter().map(|method| {

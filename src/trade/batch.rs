@@ -15,7 +15,7 @@ use anyhow::{Context, ensure};
 
 use super::measurement::Request;
 use super::timing::{self, Batch};
-use crate::frame::{Frame, Keep, Workers};
+use crate::frame::{Frame, Keep};
 use crate::output::Output;
 use crate::report::Monitor;
 use crate::scene::{SceneRecord, updated};
@@ -26,12 +26,10 @@ use crate::systems;
 /// # Errors
 /// If memory or threads do not suffice, or the work is cancelled.
 pub fn time_here(request: &Request, number: usize, monitor: Monitor) -> anyhow::Result<Batch> {
-    let views = request.methods.iter().map(|it| it.view(&request.view));
-    let views: Vec<_> = views.collect();
-    let workers = Workers::new(request.threads, request.level)
-        .context("cannot start the threads that draw")?;
-    let mut frame = Frame::new(Keep::Display, workers);
-    let mut scene = request.scene.snapshot();
+    let view = request.drawing.view();
+    let views: Vec<_> = request.methods.iter().map(|it| it.view(&view)).collect();
+    let mut frame = Frame::new(Keep::Display, request.drawing.workers()?);
+    let mut scene = request.drawing.scene.snapshot();
     timing::batch(number, views.len(), request.time, |method| {
         monitor.check()?;
         systems::draw(&mut scene.world, &views[method], &mut frame)
@@ -55,7 +53,7 @@ pub fn time_in_a_process(request: &Request, number: usize, _: Monitor) -> anyhow
             .spawn()?;
         if let Some(mut scene) = child.stdin.take() {
             // A process that does not read it says why.
-            let text = updated("", &SceneRecord::of(&request.scene.world));
+            let text = updated("", &SceneRecord::of(&request.drawing.scene.world));
             let _ = scene.write_all(text.as_bytes());
         }
         let output = child.wait_with_output()?;
@@ -83,6 +81,5 @@ fn this_program() -> std::io::Result<PathBuf> {
 /// If it cannot be measured.
 pub fn run(request: &Request, number: usize) -> anyhow::Result<()> {
     let times = time_here(request, number, Monitor::NONE)?;
-    let text = serde_json::to_vec(&times)?;
-    Output::Stdout.write(|writer| writer.write_all(&text))
+    Output::Stdout.write(serde_json::to_vec(&times)?)
 }

@@ -18,7 +18,7 @@ use crate::components::ShadingMode;
 use crate::drawing::Drawing;
 use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
-use crate::shading::Method;
+use crate::shading::{METHODS, Method};
 
 /// The predicted time of another method must be within this share of the budget. The rest is for noise.
 const ROOM: f64 = 0.8;
@@ -117,11 +117,12 @@ pub fn over(time: f64, budget: f64) -> String {
 /// # Errors
 /// If memory or threads do not suffice.
 pub fn choose(drawing: &Drawing, budget: f64) -> anyhow::Result<Option<(Method, String)>> {
-    let drawn = Drawing {
-        scene: drawing.scene.snapshot(),
-        ..*drawing
+    let request = Request {
+        drawing: drawing.snapshot(),
+        methods: METHODS.to_vec(),
+        time: MEASURING_TIME,
+        is_report: false,
     };
-    let request = Request::new(drawn, MEASURING_TIME, false);
     let measured = with_bar(|monitor| measure(&request, &[], time_here, monitor))?;
     Ok(held(&measured, budget).map(|(one, text)| (one.method, text)))
 }

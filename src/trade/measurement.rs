@@ -2,47 +2,26 @@
 
 use std::time::Duration;
 
-use fearless_simd::Level;
 use serde::{Serialize, Serializer};
 use serde_json::json;
 
 use super::machine::Machine;
 use super::metrics::ErrorStatistics;
 use super::timing::Timing;
-use crate::components::{Projection, View};
+use crate::components::Projection;
 use crate::drawing::Drawing;
 use crate::frame::Counts;
-use crate::scene::Scene;
-use crate::shading::{METHODS, Method};
+use crate::shading::Method;
 
 /// The view and the methods to measure.
 pub struct Request {
-    pub scene: Scene,
-    /// Each method overrides its shading and tolerance.
-    pub view: View,
+    /// Each method overrides its shading and tolerance. Its threads draw the timed frames; 1 is the calling thread alone.
+    pub drawing: Drawing,
     pub methods: Vec<Method>,
-    /// The threads that draw the timed frames; 1 is the calling thread alone.
-    pub threads: usize,
-    pub level: Level,
     /// The time for timing frames, of all methods together. Each gets [`super::timing::MIN_SAMPLES`] in any case.
     pub time: Duration,
     /// Whether the figures and the maps are found that only a report shows: `own_error`, `flip_mean` and `map`.
     pub is_report: bool,
-}
-
-impl Request {
-    /// The request to measure `drawing` with all [`METHODS`].
-    pub fn new(drawing: Drawing, time: Duration, is_report: bool) -> Self {
-        Request {
-            view: drawing.view(),
-            scene: drawing.scene,
-            methods: METHODS.to_vec(),
-            threads: drawing.threads,
-            level: drawing.level,
-            time,
-            is_report,
-        }
-    }
 }
 
 /// A measurement of methods, with the view and the machine: enough to judge the times and to repeat it.

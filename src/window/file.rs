@@ -94,7 +94,7 @@ impl SceneFile {
             }
             Some(path) if !new => {
                 let output = Output::File(path.clone());
-                output.write(|writer| writer.write_all(text.as_bytes()))?;
+                output.write(&text)?;
                 path.clone()
             }
             _ => write_new(folder, &self.stem(), &text)?,
@@ -139,7 +139,7 @@ fn write_new(folder: &Path, stem: &str, text: &str) -> io::Result<PathBuf> {
         1 => format!("{stem}.toml"),
         _ => format!("{stem}-{number}.toml"),
     };
-    write_numbered(folder, name, |writer| writer.write_all(text.as_bytes()))
+    write_numbered(folder, name, text.as_bytes())
 }
 
 fn stamp(path: &Path) -> Stamp {

@@ -10,6 +10,7 @@ use super::comparison::Comparison;
 use super::facts::{Facts, Latest, Question, Work};
 use super::pictures::view_at;
 use crate::components::{ShadingMode, Side, Tab, View, ViewMode, Viewer};
+use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
@@ -95,11 +96,13 @@ impl App {
             |facts| &mut facts.trade,
             move |scene, view, monitor| {
                 let request = Request {
-                    scene: scene.snapshot(),
-                    view: view.clone(),
+                    drawing: Drawing {
+                        scene: scene.snapshot(),
+                        size: view.size,
+                        threads,
+                        level,
+                    },
                     methods,
-                    threads,
-                    level,
                     time,
                     is_report: false,
                 };

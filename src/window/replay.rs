@@ -3,7 +3,6 @@
 //! Without a display the window shows no times, which are the machine's: its frames are the same everywhere.
 
 use std::fmt::Write;
-use std::io;
 use std::time::Duration;
 
 use egui::RawInput;
@@ -95,18 +94,19 @@ pub fn run(
             anyhow::Ok(done == count)
         };
         match output {
-            Some(output) if animated => output.write(|writer| {
-                let mut animation = Animation::new(writer, canvas, count)?;
+            Some(output) if animated => {
+                let mut file = Vec::new();
+                let mut animation = Animation::new(&mut file, canvas, count)?;
                 draw(log, drawing, |app, frame, size| {
                     note(app, frame)?;
                     let lasts = times
                         .next()
                         .map_or(LAST, |next| next.saturating_sub(frame.at));
                     Ok(animation.add(app.pixels(), size, lasts)?)
-                })
-                .map_err(io::Error::other)?;
-                animation.finish()
-            }),
+                })?;
+                animation.finish()?;
+                output.write(file)
+            }
             _ => draw(log, drawing, |app, frame, size| {
                 let is_last = note(app, frame)?;
                 match output.filter(|_| is_last) {
@@ -117,7 +117,7 @@ pub fn run(
         }
     })?;
     if with_hashes {
-        Output::Stdout.write(|writer| writer.write_all(hashes.as_bytes()))?;
+        Output::Stdout.write(hashes)?;
     }
     let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
     say(&format!("replayed {count} frames{written}"));

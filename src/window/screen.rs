@@ -1,7 +1,6 @@
 //! The picture on screen: drawn when its state or size is another one, and copied into its place in the window.
 
 use std::borrow::Cow;
-use std::io::Write;
 use std::sync::Arc;
 
 use super::app::{App, REST, TURN};
@@ -131,8 +130,8 @@ impl App {
     /// Writes the window as it is seen into a new PNG file.
     pub(super) fn screenshot(&mut self) {
         let name = |number| format!("shadetrade-{number:03}.png");
-        let write = |writer: &mut dyn Write| encode_png(writer, &self.pixels, self.size);
-        match write_numbered(&self.folder, name, write) {
+        let encoded = encode_png(&self.pixels, self.size);
+        match encoded.and_then(|file| write_numbered(&self.folder, name, &file)) {
             Ok(path) => self.say(format!("saved {}", path.display())),
             Err(error) => self.say(format!("no picture saved: {error}")),
         }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use fearless_simd::Level;
 use glam::DVec3;
-use shadetrade::components::{Background, Light, LightKind, ShadingMode, View, overwrite};
+use shadetrade::components::{Background, Light, LightKind, ShadingMode, overwrite, viewer_mut};
 use shadetrade::drawing::Drawing;
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::output::json;
@@ -32,7 +32,12 @@ fn request(size: [usize; 2], threads: usize, change: impl Fn(&mut SceneRecord)) 
         threads,
         level: Level::new(),
     };
-    Request::new(drawing, Duration::ZERO, true)
+    Request {
+        drawing,
+        methods: METHODS.to_vec(),
+        time: Duration::ZERO,
+        is_report: true,
+    }
 }
 
 fn ordinary(size: [usize; 2], threads: usize) -> Request {
@@ -45,7 +50,7 @@ fn measured(request: &Request) -> (Report, contract::Report) {
         trade::measure_report(request, batch::time_here, Monitor::NONE).expect("it is measured");
     let text = json(&report).expect("it is written");
     let read = contract::read(&text);
-    assert_eq!(read.size, request.view.size.map(|side| side as u64));
+    assert_eq!(read.size, request.drawing.size.map(|side| side as u64));
     assert_eq!(report.methods.len(), request.methods.len());
     for ((one, asked), read) in report
         .methods
@@ -54,7 +59,7 @@ fn measured(request: &Request) -> (Report, contract::Report) {
         .zip(&read.methods)
     {
         assert_eq!((one.method, &*read.id), (*asked, asked.id));
-        assert_eq!(read.threads, request.threads as u64);
+        assert_eq!(read.threads, request.drawing.threads as u64);
         assert!(read.ms.samples >= MIN_SAMPLES);
     }
     let svg = plot::svg(&report).expect("it is drawn");
@@ -178,20 +183,22 @@ fn the_share_of_the_highlight_is_that_of_specular_light_alone_before_black() {
             record.light.push(off);
         });
         let background = Background(DVec3::splat(background));
-        overwrite(&mut asked.scene.world, &background);
-        asked.view = View::of(&asked.scene.world, [160, 120]).with_tolerance(tolerance);
+        let world = &mut asked.drawing.scene.world;
+        overwrite(world, &background);
+        viewer_mut(world).tolerance = tolerance;
         asked
     };
-    let mut lit = asked(0.0, 0.5);
+    let mut lit = asked(0.0, 0.5).drawing;
     for light in lit.scene.world.query_mut::<&mut Light>() {
         light.on = light.kind == LightKind::Specular && light.on;
     }
-    let phong = lit.view.shaded(ShadingMode::Phong);
+    let view = lit.view();
+    let phong = view.shaded(ShadingMode::Phong);
     let truth = reference::picture(&lit.scene.world, &phong, 0..120, Monitor::NONE);
     let truth = truth.expect("it is not cancelled");
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let expected = METHODS.iter().map(|method| {
-        let view = method.view(&lit.view);
+        let view = method.view(&view);
         systems::draw(&mut lit.scene.world, &view, &mut frame).expect("a small picture fits");
         accuracy::share_kept(frame.levels(), &truth.levels)
     });
