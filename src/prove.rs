@@ -93,6 +93,7 @@ pub struct Example {
 pub struct Proof {
     /// The largest allowed error of a pixel, in levels of 255.
     pub limit: f64,
+    pub pixels: usize,
     pub proven: u64,
     pub refuted: u64,
     pub undecided: u64,
@@ -242,6 +243,7 @@ pub fn prove(
     let limit = limit(view.tolerance) + rounding;
     let mut proof = Proof {
         limit,
+        pixels: width * height,
         marks: memory::reserve_pixels(view.size)?,
         ..Proof::default()
     };

@@ -16,7 +16,6 @@
 //! depend on the number of threads.
 
 mod beside;
-mod bounds;
 mod edge;
 mod geometry;
 mod illumination;
@@ -26,10 +25,9 @@ mod real;
 mod rule;
 mod sample;
 mod sight;
-mod vector;
 
 pub use self::interval::Interval;
 pub use self::picture::{DEPTH_TIE, Reference, Seen, Truth, picture};
 pub use self::real::Real;
 pub use self::rule::Rule;
-pub use self::sample::{LightSample, Sample, at_pixel, in_row};
+pub use self::sample::{LightSample, Sample, in_row};

@@ -136,28 +136,23 @@ impl Camera {
     /// # Panics
     /// If the entity is no camera.
     pub fn of(world: &World, entity: Entity) -> Camera {
+        let own = Camera::own(world, entity);
         let orbit: Orbit = get(world, entity).unwrap_or_default();
-        Camera::own(world, entity).orbited(&orbit)
-    }
-
-    /// The camera moved by `orbit`.
-    #[must_use]
-    pub fn orbited(&self, orbit: &Orbit) -> Camera {
-        if *orbit == Orbit::default() {
-            return *self;
+        if orbit == Orbit::default() {
+            return own;
         }
-        let mut moved = *self;
+        let mut moved = own;
         moved.height *= orbit.zoom;
-        let offset = self.position - self.target;
-        let up = unit(self.up);
+        let offset = own.position - own.target;
+        let up = unit(own.up);
         let right = unit(up.cross(unit(offset)));
         let outwards = right.cross(up);
         let (sin_azimuth, cos_azimuth) = orbit.azimuth.to_radians().sin_cos();
-        let elevation = self.own_elevation() + self.elevation_short_of_poles(orbit.elevation);
+        let elevation = own.own_elevation() + own.elevation_short_of_poles(orbit.elevation);
         let (sin_elevation, cos_elevation) = elevation.to_radians().sin_cos();
         let direction =
             (outwards * cos_azimuth + right * sin_azimuth) * cos_elevation + up * sin_elevation;
-        moved.position = self.target + unit(direction) * (length(offset) * orbit.zoom);
+        moved.position = own.target + unit(direction) * (length(offset) * orbit.zoom);
         moved
     }
 

@@ -27,7 +27,6 @@ struct Record<'a> {
     mode: &'static str,
     tolerance: f64,
     seconds: f64,
-    pixels: usize,
     #[serde(flatten)]
     proof: &'a Proof,
 }
@@ -69,12 +68,11 @@ pub fn run(
         mode: drawing.mode(),
         tolerance: view.tolerance,
         seconds: begin.elapsed().as_secs_f64(),
-        pixels: proof.marks.len(),
         proof: &proof,
     };
     print(&record, as_json, || lines(drawing, &record).join("\n"))?;
     if proof.refuted > 0 {
-        bail!("{} of {} pixels are refuted", proof.refuted, record.pixels);
+        bail!("{} of {} pixels are refuted", proof.refuted, proof.pixels);
     }
     Ok(())
 }
@@ -92,6 +90,7 @@ fn color(pixel: u32, mark: Mark) -> u32 {
 fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     let Proof {
         limit,
+        pixels,
         proven,
         refuted,
         undecided,
@@ -101,7 +100,7 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
         reference_error,
         ..
     } = record.proof;
-    let (subject, pixels) = (drawing.subject(), record.pixels);
+    let subject = drawing.subject();
     let mut lines = vec![format!(
         "{subject}\n\
          proven     {proven} of {pixels} pixels\n\

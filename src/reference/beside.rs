@@ -4,9 +4,8 @@ use std::cmp::Ordering;
 
 use super::edge;
 use super::geometry::{CuboidGeometry, FacePoint, across, along, descent, signed};
-use super::real::Real;
+use super::real::{Real, RealVector};
 use super::sight::Line;
-use super::vector::RealVector;
 use crate::components::Projection;
 
 impl<R: Real> CuboidGeometry<R> {

@@ -5,8 +5,7 @@
 
 use std::cmp::Ordering;
 
-use super::real::Real;
-use super::vector::RealVector;
+use super::real::{Real, RealVector};
 
 /// A pixel centre within this distance of an edge, in pixels, may show either side: snapping moves corners by up to
 /// 0.003 pixel.

@@ -23,9 +23,8 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::edge::{self, EdgeFunction};
-use super::real::Real;
+use super::real::{Real, RealVector};
 use super::sight::{Line, Sight, own_axes};
-use super::vector::RealVector;
 use crate::components::{Mesh, Projection, TRIANGLES, Transform};
 
 /// The geometry of a cuboid for the lines of sight, in its own axes and world units.
@@ -61,12 +60,11 @@ struct FaceEdges<R> {
     diagonal: EdgeFunction<R>,
 }
 
-/// The faces of a cuboid that a line of sight may hit.
-#[derive(Clone, Copy)]
+/// The points of a cuboid that a line of sight may show.
 pub struct Meeting<R> {
-    /// One bit per face; a single face unless an edge is near.
-    faces: u8,
-    /// Whether the line certainly hits one of them.
+    /// Each with the index of its face in [`crate::components::FACES`]; a single one unless an edge is near.
+    pub points: Vec<(usize, FacePoint<R>)>,
+    /// Whether the line certainly hits the cuboid.
     pub is_certain: bool,
     /// The depth of the intersection along the view direction, in world units.
     pub depth: R,
@@ -83,19 +81,6 @@ pub struct FacePoint<R> {
     pub to_eye: RealVector<R>,
     /// Whether the point is on the first triangle of the face; undecided if an interval holds the diagonal.
     pub is_on_first: Option<bool>,
-}
-
-impl<R> Meeting<R> {
-    /// Whether exactly one face is hit, for certain, so that no edge is near.
-    pub fn well_conditioned(&self) -> bool {
-        self.is_certain && self.faces.is_power_of_two()
-    }
-
-    /// The indices of the faces in [`crate::components::FACES`].
-    pub fn faces(&self) -> impl Iterator<Item = usize> {
-        let faces = self.faces;
-        (0..6).filter(move |face| faces >> face & 1 == 1)
-    }
 }
 
 /// `x` with the sign of `sign`, -1 or 1.
@@ -262,39 +247,50 @@ impl<R: Real> CuboidGeometry<R> {
         }
     }
 
-    /// The faces that the line may hit beyond the near plane; `None` if it certainly hits none.
+    /// The points that the line may show beyond the near plane; `None` if it certainly misses the cuboid.
     pub fn meet(&self, line: &Line<R>) -> Option<Meeting<R>> {
-        let mut meeting: Option<Meeting<R>> = None;
-        for (number, face) in self.faces() {
+        let inside = |(number, face): (usize, &FaceEdges<R>)| {
             let edges = face.edges.iter().chain([&face.near]);
-            let inside = edge::inside(edges, line.pixel);
-            if inside == Some(false) {
-                continue;
-            }
-            let depth = match inside {
-                Some(_) => self.depth(number, line),
-                None => self.depth_beside(number, line),
-            };
-            meeting = Some(Meeting {
-                faces: meeting.map_or(0, |it| it.faces) | 1 << number,
-                is_certain: meeting.is_some_and(|it| it.is_certain) || inside == Some(true),
-                depth: meeting.map_or(depth, |it| it.depth.either(depth)),
+            (number, edge::inside(edges, line.pixel))
+        };
+        let hit = self.faces().map(inside);
+        let hit: Vec<_> = hit.filter(|(_, inside)| *inside != Some(false)).collect();
+        if let [(number, Some(true))] = hit[..] {
+            return Some(Meeting {
+                points: vec![(number, self.place(number, line))],
+                is_certain: true,
+                depth: self.depth(number, line),
             });
         }
-        let mut meeting = meeting?;
-        if !meeting.is_certain {
-            // Near a common edge of two faces one of them is hit if the line passes inside the outline of both.
-            let outline = self.faces().flat_map(|(_, face)| {
-                let edges = face.edges.iter().zip(face.is_shared);
-                edges.filter_map(|(edge, is_shared)| (!is_shared).then_some(edge))
-            });
-            let near = self
-                .faces()
-                .filter(|(number, _)| meeting.faces >> number & 1 == 1);
-            let edges = outline.chain(near.map(|(_, face)| &face.near));
-            meeting.is_certain = edge::inside(edges, line.pixel) == Some(true);
-        }
-        Some(meeting)
+        // The centre may lie just outside a face, whose plane the line meets far beyond it, or not at all.
+        let beside = |&(number, _): &(usize, _)| {
+            let places = self.beside(number, line).into_iter();
+            places.map(move |place| (number, place))
+        };
+        let points: Vec<_> = hit.iter().flat_map(beside).collect();
+        // There is a depth unless no face is hit, because `beside` finds a point of each.
+        let depths = points
+            .iter()
+            .map(|(_, place)| place.point.dot(self.forward));
+        Some(Meeting {
+            depth: depths.reduce(R::either)?,
+            points,
+            is_certain: hit.iter().any(|(_, inside)| *inside == Some(true))
+                || self.is_within_outline(&hit, line),
+        })
+    }
+
+    /// Near a common edge of two faces one of them is hit if the line passes inside the outline of both.
+    fn is_within_outline(&self, hit: &[(usize, Option<bool>)], line: &Line<R>) -> bool {
+        let outline = self.faces().flat_map(|(_, face)| {
+            let edges = face.edges.iter().zip(face.is_shared);
+            edges.filter_map(|(edge, is_shared)| (!is_shared).then_some(edge))
+        });
+        let near = hit
+            .iter()
+            .filter_map(|(number, _)| self.faces[*number].as_ref());
+        let edges = outline.chain(near.map(|face| &face.near));
+        edge::inside(edges, line.pixel) == Some(true)
     }
 
     /// The faces that may be front-facing, with their indices.
@@ -308,15 +304,6 @@ impl<R: Real> CuboidGeometry<R> {
         let (axis, outwards) = across(face);
         let height = self.height(face) + signed(outwards, line.offset.0[axis]);
         height / descent(face, line)
-    }
-
-    /// The depths of the points that a line near an edge of a face may show. Where the line meets the plane far beyond
-    /// the face, or not at all, [`Self::depth`] is none of them.
-    fn depth_beside(&self, face: usize, line: &Line<R>) -> R {
-        let places = self.beside(face, line).into_iter();
-        let depths = places.map(|place| place.point.dot(self.forward));
-        // `beside` clamps to the face where it finds nothing else.
-        depths.reduce(R::either).expect("it shows a point")
     }
 
     /// The coordinate of the cuboid's end along an axis, on the side of this sign (0 for its middle), relative to the eye.

@@ -13,9 +13,8 @@
 use glam::DVec3;
 
 use super::geometry::{CuboidGeometry, FacePoint};
-use super::real::Real;
+use super::real::{Real, RealVector};
 use super::rule::Rule;
-use super::vector::RealVector;
 use crate::components::{Light, LightKind, Material};
 
 /// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per

@@ -5,15 +5,13 @@ use std::ops::Range;
 
 use glam::DVec3;
 use hecs::World;
-use rayon::prelude::*;
 
 use super::geometry::{CuboidGeometry, FacePoint, Meeting};
 use super::illumination::{Lit, Open, ReferenceSurface, TIES, blend};
 use super::interval::Interval;
-use super::real::Real;
+use super::real::{Real, RealVector};
 use super::rule::Rule;
-use super::sight::{Line, Sight};
-use super::vector::RealVector;
+use super::sight::Sight;
 use crate::components::{
     FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
 };
@@ -65,7 +63,6 @@ pub struct ReferenceCuboid<R> {
 /// A cuboid that a line of sight may hit.
 pub struct Met<'a, R> {
     pub cuboid: &'a ReferenceCuboid<R>,
-    pub line: Line<R>,
     pub meeting: Meeting<R>,
 }
 
@@ -148,16 +145,8 @@ impl<R: Real> Reference<R> {
     fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
         seen.clear();
         for met in met {
-            let solid = &met.cuboid.solid;
-            for face in met.meeting.faces() {
-                // Near an edge the pixel centre may lie outside the face.
-                if met.meeting.well_conditioned() {
-                    met.cuboid.see(face, &solid.place(face, &met.line), seen);
-                } else {
-                    for place in solid.beside(face, &met.line) {
-                        met.cuboid.see(face, &place, seen);
-                    }
-                }
+            for (face, place) in &met.meeting.points {
+                met.cuboid.see(*face, place, seen);
             }
         }
         if !met.iter().any(|met| met.meeting.is_certain) {
@@ -180,8 +169,7 @@ impl<R: Real> Reference<R> {
             if !cuboid.solid.columns.contains(&x) {
                 continue;
             }
-            let line = cuboid.solid.line(&self.sight, x, y);
-            let Some(meeting) = cuboid.solid.meet(&line) else {
+            let Some(meeting) = cuboid.solid.meet(&cuboid.solid.line(&self.sight, x, y)) else {
                 continue;
             };
             // The order of another depth to the new one; a tie counts as less, so that the earlier cuboid is visible.
@@ -200,11 +188,7 @@ impl<R: Real> Reference<R> {
                 met.retain(|other| order(other) != Some(Ordering::Greater));
             }
             if !is_hidden {
-                met.push(Met {
-                    cuboid,
-                    line,
-                    meeting,
-                });
+                met.push(Met { cuboid, meeting });
             }
         }
     }
@@ -280,7 +264,8 @@ impl<R: Real> ReferenceCuboid<R> {
 
 /// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used.
 ///
-/// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
+/// Runs on rayon's current threads and allocates 60 bytes per pixel of `rows`, 28 of which stay, so draw a very large picture
+/// in bands.
 ///
 /// # Errors
 /// If the work is cancelled.
@@ -291,28 +276,18 @@ pub fn picture(
     monitor: Monitor,
 ) -> anyhow::Result<Truth> {
     let reference = Reference::<f64>::new(world, view);
-    let width = view.size[0];
-    let mut levels = vec![[0.0; 3]; width * rows.len()];
-    let mut triangles = vec![NO_TRIANGLE; width * rows.len()];
     let all = rows.len();
-    let pixels = levels
-        .par_chunks_mut(width)
-        .zip(triangles.par_chunks_mut(width));
-    let rows = pixels.zip(rows);
-    monitor.in_parallel(
-        "drawing the reference",
-        rows,
-        [0, all],
-        |((levels, triangles), y)| {
-            reference.row(y, |x, seen| {
-                levels[x] = seen[0].levels;
-                triangles[x] = seen[0].triangle.map_or(NO_TRIANGLE, |it| it as u32);
-            });
-            Ok(())
-        },
-    )?;
+    let rows = monitor.in_parallel("drawing the reference", rows, [0, all], |y| {
+        let mut row = Vec::with_capacity(view.size[0]);
+        reference.row(y, |_, seen| {
+            let triangle = seen[0].triangle.map_or(NO_TRIANGLE, |it| it as u32);
+            row.push((seen[0].levels, triangle));
+        });
+        Ok(row)
+    })?;
+    let (levels, triangles) = rows.into_iter().flatten().unzip();
     Ok(Truth {
-        width,
+        width: view.size[0],
         levels,
         triangles,
     })

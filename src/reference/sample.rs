@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::geometry::CuboidGeometry;
 use super::illumination::{blend, reflection};
 use super::picture::{Met, Reference, ReferenceCuboid};
-use super::vector::RealVector;
+use super::real::RealVector;
 use crate::components::{Light, LightKind, Name, View, in_file_order};
 
 /// The evaluation of one pixel. Vectors are unit vectors in world space.
@@ -63,12 +63,7 @@ pub struct LightSample {
     pub phong: DVec3,
 }
 
-/// The evaluation of pixel (`x`, `y`), which must lie inside the picture for `view`; `None` for the background.
-pub fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
-    in_row(world, view, y, &[x]).pop()?
-}
-
-/// The evaluations of these columns of row `y`: see [`at_pixel`].
+/// The evaluations of these columns of row `y`, which must lie inside the picture for `view`; `None` for the background.
 pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Option<Sample>> {
     let reference = Reference::new(world, view);
     let cuboids: Vec<_> = reference.cuboids.iter().collect();
@@ -88,10 +83,9 @@ impl Reference<f64> {
     /// The evaluation where a line of sight meets a cuboid. The names are those of the lights that are on.
     fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
         let ReferenceCuboid { solid, surface, .. } = met.cuboid;
-        let face = met.meeting.faces().next()?;
-        let place = solid.place(face, &met.line);
+        let (face, place) = met.meeting.points.first()?;
         let is_first = place.is_on_first?;
-        let (corners, weights) = CuboidGeometry::weights(face, is_first, &place);
+        let (corners, weights) = CuboidGeometry::weights(*face, is_first, place);
         let (normal, to_eye) = (place.share.unit(), place.to_eye);
         let to_world = |v: RealVector<f64>| {
             let [x, y, z] = v.0;
@@ -99,7 +93,7 @@ impl Reference<f64> {
         };
         let lights = surface.lights.iter().zip(names).enumerate();
         let lights = lights.map(|(index, (light, name))| {
-            let to_light = surface.to_light(index, &place);
+            let to_light = surface.to_light(index, place);
             let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
             let factors = corners.map(|corner| surface.factor_at_corner(index, corner));
             let at_corners = factors.map(|factor| light.levels * factor);
@@ -130,7 +124,7 @@ impl Reference<f64> {
             to_eye: to_world(to_eye),
             lights: lights.collect(),
             gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
-            phong: surface.phong(&place, 0).levels.to_dvec3(),
+            phong: surface.phong(place, 0).levels.to_dvec3(),
             normal_length: blend(normals, on_screen).length_squared().sqrt(),
         })
     }

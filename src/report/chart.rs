@@ -70,13 +70,8 @@ pub fn heading(area: &Area, title: &str, lines: &[&str]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// One of the two axes.
-pub struct Axis<'a> {
-    /// The quantity and its unit.
-    pub name: &'a str,
-    /// Both ends are above 0.
-    pub range: Range<f64>,
-}
+/// The quantity of an axis and its unit, and its ends, which are above 0.
+pub type Axis<'a> = (&'a str, Range<f64>);
 
 /// Draws the axes and their grid. The labels take `below` and `left` pixels, and the labels of the ticks have this font
 /// size; the names of the axes are a pixel larger.
@@ -87,13 +82,12 @@ pub fn on<'a>(
     area: &Area<'a>,
     [below, left]: [u32; 2],
     letters: f64,
-    [x, y]: [Axis; 2],
+    axes: [Axis; 2],
 ) -> anyhow::Result<Chart<'a>> {
-    let [columns, rows] = [&x, &y].map(|it| {
-        it.range
-            .clone()
-            .log_scale()
-            .with_key_points(ticks(&it.range))
+    let [x, y] = [axes[0].0, axes[1].0];
+    let [columns, rows] = axes.map(|(_, range)| {
+        let ticks = ticks(&range);
+        range.log_scale().with_key_points(ticks)
     });
     let mut chart = ChartBuilder::on(area)
         .x_label_area_size(below)
@@ -106,8 +100,8 @@ pub fn on<'a>(
         .axis_style(FAINT)
         .label_style(text_style(letters, INK))
         .axis_desc_style(text_style(letters + 1.0, INK))
-        .x_desc(x.name)
-        .y_desc(y.name)
+        .x_desc(x)
+        .y_desc(y)
         .x_label_formatter(&|value| label(*value))
         .y_label_formatter(&|value| label(*value))
         .draw()?;

@@ -11,9 +11,8 @@
 use std::time::Duration;
 
 use super::batch::time_here;
-use super::measure::measure;
-use super::measurement::{Measurement, Request};
 use super::verdict::method_name;
+use super::{Measurement, Request, measure};
 use crate::components::ShadingMode;
 use crate::drawing::Drawing;
 use crate::report::progress::with_bar;

@@ -15,7 +15,7 @@ use plotters::prelude::*;
 use super::export::{place, subject};
 use super::measurement::{Measurement, Report};
 use crate::components::ShadingMode;
-use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, ORANGE};
+use crate::report::chart::{self, Area, BLUE, FAINT, GREEN, ORANGE};
 
 /// The least error with a place of its own, in levels.
 pub const FLOOR: f64 = 1e-3;
@@ -82,7 +82,6 @@ fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
         ("time: ns per covered pixel", times.clone()),
         ("largest error against exact Phong: levels of 255", ERRORS),
     ];
-    let axes = axes.map(|(name, range)| Axis { name, range });
     let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes)?;
     let front = front(points, times.end);
     chart.draw_series([PathElement::new(front, FAINT.stroke_width(2))])?;

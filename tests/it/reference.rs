@@ -7,7 +7,7 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::NO_TRIANGLE;
-use shadetrade::reference::{at_pixel, picture};
+use shadetrade::reference::{Sample, in_row, picture};
 use shadetrade::report::Monitor;
 
 use crate::support::scene::{at, empty, shine, spawn_cuboid, truth, view};
@@ -36,6 +36,10 @@ fn turned(size: [f64; 3], degrees: f64) -> World {
     };
     spawn_cuboid(&mut world, size.into(), transform, MATERIAL);
     world
+}
+
+fn at_pixel(world: &World, view: &View, x: usize, y: usize) -> Option<Sample> {
+    in_row(world, view, y, &[x]).pop()?
 }
 
 #[track_caller]

@@ -14,7 +14,7 @@ use plotters::prelude::*;
 
 use super::curve::{CurvePoint, EVALUATIONS, ErrorCurve};
 use crate::prove::Verdict;
-use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
+use crate::report::chart::{self, Area, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 
 const SIZE: (u32, u32) = (1080, 900);
 const HEADER: u32 = 84;
@@ -67,7 +67,6 @@ fn draw(area: &Area, curves: &[ErrorCurve]) -> anyhow::Result<()> {
     area.draw_text(curves[0].number, &text_style(13.0, INK), (58, 8))?;
     let [from, to] = curves[0].range();
     let axes = [(curves[0].unit, from..to * 1.0001), ("levels", ERRORS)];
-    let axes = axes.map(|(name, range)| Axis { name, range });
     let mut chart = chart::on(&area.margin(30, 6, 6, 34), [40, 52], 10.0, axes)?;
     let undecided = curves.iter().flat_map(|curve| &curve.points);
     let undecided = undecided.filter(|point| point.verdict == Verdict::Undecided);

@@ -4,7 +4,7 @@ use shadetrade::components::ShadingMode;
 use shadetrade::shading::Method;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::accuracy::share_kept;
-use shadetrade::trade::measure::mark_front;
+use shadetrade::trade::mark_front;
 use shadetrade::trade::timing::{Timing, median};
 
 use super::example;
