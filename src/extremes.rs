@@ -41,8 +41,8 @@ pub struct Extreme {
     pub name: &'static str,
     /// Width and height of the pictures in pixels.
     pub size: [usize; 2],
-    pub projections: Vec<Projection>,
-    modes: Vec<ShadingMode>,
+    projections: Vec<Projection>,
+    pub modes: Vec<ShadingMode>,
     fact: Option<KnownFact>,
 }
 

@@ -145,12 +145,6 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
         let replay = format!("replay {name} -o FILE.apng` draws an animation");
         return Ok(window::play(&log, drawing).map_err(|error| advise(error, &replay))?);
     }
-    let animated = options.animated();
-    Ok(replaying::run(
-        &log,
-        drawing,
-        output,
-        animated,
-        options.hash,
-    )?)
+    replaying::run(&log, drawing, output, options.animated(), options.hash)?;
+    Ok(())
 }

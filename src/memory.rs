@@ -4,7 +4,6 @@
 //! (overcommit). Other systems lack `/proc/meminfo`; they refuse an allocation without memory for it, or swap.
 
 use std::collections::TryReserveError;
-use std::fmt::Display;
 use std::fs;
 
 /// Allocations of up to this many bytes are not checked.
@@ -12,12 +11,15 @@ const LARGE: usize = 16 << 20;
 /// Bytes kept free for small allocations, whose failure would end the program without a message.
 const SPARE: usize = 32 << 20;
 
-/// A large allocation does not fit in memory.
+/// The pictures of a work do not fit in memory.
 #[derive(Debug, thiserror::Error)]
-#[error("{what} does not fit in memory: it takes {}, {}", megabytes(*.needed), left_text(*.left))]
+#[error(
+    "a picture of {}x{} pixels does not fit in memory: it takes {}, {}",
+    .size[0], .size[1], megabytes(*.needed), left_text(*.left)
+)]
 pub struct OutOfMemory {
-    /// Name of the thing to allocate.
-    pub what: String,
+    /// Width and height of a picture, in pixels.
+    pub size: [usize; 2],
     /// Bytes to allocate.
     pub needed: usize,
     /// Bytes available without swapping, if known.
@@ -29,25 +31,12 @@ pub struct OutOfMemory {
 /// # Errors
 /// If the system reports fewer.
 pub fn check(size: [usize; 2], needed: usize) -> Result<(), OutOfMemory> {
-    let [width, height] = size;
-    check_for(format_args!("a picture of {width}x{height} pixels"), needed)
-}
-
-/// Checks that `needed` more bytes are available for `what`.
-///
-/// # Errors
-/// If the system reports fewer.
-pub fn check_for(what: impl Display, needed: usize) -> Result<(), OutOfMemory> {
     if needed <= LARGE {
         return Ok(());
     }
     let left = available().map(|bytes| bytes.saturating_sub(SPARE));
     match left {
-        Some(bytes) if bytes < needed => Err(OutOfMemory {
-            what: what.to_string(),
-            needed,
-            left,
-        }),
+        Some(bytes) if bytes < needed => Err(OutOfMemory { size, needed, left }),
         _ => Ok(()),
     }
 }
@@ -67,15 +56,9 @@ pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
 }
 
 /// Converts a refused allocation for a picture of `size` pixels, `needed` bytes in all, into [`OutOfMemory`].
-pub fn refused(
-    [width, height]: [usize; 2],
-    needed: usize,
-) -> impl Fn(TryReserveError) -> OutOfMemory {
-    move |_| OutOfMemory {
-        what: format!("a picture of {width}x{height} pixels"),
-        needed,
-        left: None,
-    }
+pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> OutOfMemory {
+    let left = None;
+    move |_| OutOfMemory { size, needed, left }
 }
 
 /// Bytes available without swapping, if the system reports them.

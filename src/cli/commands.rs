@@ -2,7 +2,6 @@
 //!
 //! A message about a wrong value names the legal values.
 
-use std::ffi::OsString;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -41,7 +40,7 @@ pub struct ReplayOptions {
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
     /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
-    #[arg(short, long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(picture_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
     pub output: Option<Output>,
     /// Prints the time and a hash of the picture of every frame
     #[arg(long)]
@@ -72,7 +71,7 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub budget: BudgetOption,
     /// The PNG file; `-` for standard output
-    #[arg(short, long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(picture_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
     pub output: Output,
     /// Draws with the f64 reference instead of the renderer, without use of --tolerance and --simd
     #[arg(long)]
@@ -86,7 +85,7 @@ pub struct TradeOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The folder for the reports, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = OsStringValueParser::new().try_map(folder))]
+    #[arg(short, long, value_name = "DIR", value_parser = folder())]
     pub output: Option<PathBuf>,
     /// Takes the least number of samples; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
@@ -166,7 +165,7 @@ pub struct ProveOptions {
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
     /// The PNG file of the verdicts
-    #[arg(short, long, value_name = "FILE", value_parser = OsStringValueParser::new().try_map(picture_file))]
+    #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -213,14 +212,8 @@ pub struct ExtremesOptions {
     #[arg(long)]
     pub chart: bool,
     /// The folder for the charts, created if absent
-    #[arg(
-        short,
-        long,
-        value_name = "DIR",
-        value_parser = OsStringValueParser::new().try_map(folder),
-        requires = "chart",
-        conflicts_with = "names"
-    )]
+    #[arg(short, long, value_name = "DIR", value_parser = folder())]
+    #[arg(requires = "chart", conflicts_with = "names")]
     pub output: Option<PathBuf>,
     /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
     #[arg(long)]
@@ -234,13 +227,7 @@ pub struct ExtremesOptions {
 #[derive(Args, Debug)]
 pub struct FiguresOptions {
     /// The folder for the figures, created if absent
-    #[arg(
-        short,
-        long,
-        value_name = "DIR",
-        value_parser = OsStringValueParser::new().try_map(folder),
-        default_value = DEFAULT_FIGURES
-    )]
+    #[arg(short, long, value_name = "DIR", value_parser = folder(), default_value = DEFAULT_FIGURES)]
     pub output: PathBuf,
 }
 
@@ -248,17 +235,17 @@ pub struct FiguresOptions {
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
 /// Refuses a name that ends like another format: pictures are PNG files.
-fn picture_file(path: OsString) -> Result<Output, &'static str> {
-    match ImageFormat::from_path(&path) {
+fn picture_file() -> impl TypedValueParser<Value = Output> {
+    OsStringValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
         Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
         Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
-    }
+    })
 }
 
 /// Refuses standard output, which cannot hold the files of a folder.
-fn folder(path: OsString) -> Result<PathBuf, &'static str> {
-    if path == "-" {
-        return Err("it is a folder, not standard output; ./- is a folder of that name");
-    }
-    Ok(path.into())
+fn folder() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().try_map(|path| match path.to_str() {
+        Some("-") => Err("it is a folder, not standard output; ./- is a folder of that name"),
+        _ => Ok(PathBuf::from(path)),
+    })
 }

@@ -63,7 +63,7 @@ const SHEETS: [(&str, &str, usize, &[Figure]); 2] = [
 /// # Errors
 /// If the folder cannot be created or a file cannot be written. Files written before stay.
 pub fn figures(folder: &Path) -> Result<()> {
-    memory::check_for("the sheet of figures", MEMORY)?;
+    memory::check(SIZE, MEMORY)?;
     make_folder(folder)?;
     let mut scene = Scene::load(None)?;
     let workers = Workers::new(all_cores(), fearless_simd::Level::new())

@@ -25,15 +25,15 @@ fn levels() -> Vec<Level> {
     }
 }
 
-/// Every extreme; unless it is a full run, in pictures of a quarter of the usual size and in one projection, by turns.
+/// Every extreme; unless it is a full run, in pictures of a quarter of the usual size and in one mode, by turns.
 fn extremes() -> Vec<Extreme> {
     let mut extremes = table();
     for (number, extreme) in extremes.iter_mut().enumerate().filter(|_| !is_full()) {
         if extreme.size == SIZE {
             extreme.size = SIZE.map(|side| side / 2);
         }
-        if extreme.projections.len() > 1 {
-            extreme.projections.remove(number % 2);
+        if extreme.modes.len() > 1 {
+            extreme.modes.remove(number % 2);
         }
     }
     extremes

@@ -59,7 +59,7 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
 fn a_drawn_picture_is_proven() {
     let (status, proof) = json(folder().path(), "prove --size 96x72 --json");
     assert_eq!((status, &proof["proven"]), (Some(0), &proof["pixels"]));
-    let of_proof = "scene camera projection size mode tolerance limit seconds pixels proven refuted undecided \
+    let of_proof = "scene camera projection size mode tolerance seconds limit pixels proven refuted undecided \
                     outline covered worst widest_enclosure reference_error examples";
     assert_eq!(keys(&proof), of_proof);
     let names = ["scene", "camera", "projection", "mode"].map(|key| &proof[key]);
