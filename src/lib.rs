@@ -164,7 +164,7 @@
 //! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
 //!   `assets/scenes/cuboid.toml`, which is its tooltip;
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
-//!   `window/commands.rs` that writes components; help and tooltips show it by themselves;
+//!   `window/actions.rs` that writes components; help and tooltips show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.
 //!
 //! # Who may import whom

@@ -8,11 +8,11 @@
 //! Only [`display`] and [`run`] need a display. A step is taken when something happens; else nothing is laid out, drawn or
 //! painted.
 
+mod actions;
 pub mod app;
 mod budget;
 mod changes;
 mod chart;
-mod commands;
 pub mod comparison;
 pub mod desk;
 pub mod display;

@@ -61,6 +61,8 @@ impl App {
              tolerance {tolerance} requires the part."
         ));
         let facts = &self.facts;
+        // The bits are found after the parts.
+        self.wait(ui, &facts.bits);
         let part = |part: &PartChange| {
             let is_kept = part.change.keeps(tolerance);
             let verdict = if is_kept { "not required" } else { "required" };
@@ -68,7 +70,7 @@ impl App {
             vec![verdict.to_owned(), most, part.name.clone()]
         };
         let parts = facts.required.value.iter().flatten().map(part);
-        self.table(ui, "required", &facts.required, parts);
+        Self::table(ui, "required", &facts.required, parts);
         ui.separator();
         ui.label(
             "The fewest bits of significand that each stage needs, with the largest error in levels of \
@@ -77,18 +79,16 @@ impl App {
         let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
         let stages = facts.bits.value.iter().flatten().map(StageBits::cells);
         let rows = iter::once(head.to_vec()).chain(stages);
-        self.table(ui, "bits", &facts.bits, rows);
+        Self::table(ui, "bits", &facts.bits, rows);
     }
 
     /// Lays out a table about a fact.
     fn table<T>(
-        &self,
         ui: &mut Ui,
         name: &str,
         fact: &Latest<T>,
         rows: impl Iterator<Item = Vec<String>>,
     ) {
-        self.wait(ui, fact);
         Grid::new(name).striped(true).show(ui, |ui| {
             for row in rows {
                 for cell in row {
@@ -113,6 +113,7 @@ impl App {
 
     fn proof_tab(&self, ui: &mut Ui) {
         let fact = &self.facts.proof;
+        self.wait(ui, fact);
         let rows = fact.value.iter().flat_map(|proof| {
             let counts = [
                 (proof.proven, "pixels proven within the tolerance"),
@@ -134,6 +135,6 @@ impl App {
             counts.into_iter().chain(levels)
         });
         let rows = rows.map(|(number, words)| vec![number, words.to_owned()]);
-        self.table(ui, "proof", fact, rows);
+        Self::table(ui, "proof", fact, rows);
     }
 }
