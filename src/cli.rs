@@ -11,6 +11,7 @@ pub mod options;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
+use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -21,8 +22,8 @@ use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::output::Output;
 pub use commands::{
-    DEFAULT_FIGURES, ExtremesOptions, FiguresOptions, ProbeOptions, ProveOptions, RenderOptions,
-    ReplayOptions, RequiresOptions, TradeOptions, ViewOptions,
+    DEFAULT_FIGURES, ExtremesOptions, ProbeOptions, ProveOptions, RenderOptions, ReplayOptions,
+    RequiresOptions, TradeOptions, ViewOptions,
 };
 pub use failure::Failure;
 
@@ -65,7 +66,11 @@ Examples:
     Render(RenderOptions),
     /// Draws the assignment's figures, and a sheet of them all, into a folder
     #[command(after_help = "Example:\n  shadetrade figures -o pictures")]
-    Figures(FiguresOptions),
+    Figures {
+        /// The folder for the figures, created if absent
+        #[arg(short, long, value_name = "DIR", value_parser = commands::folder(), default_value = DEFAULT_FIGURES)]
+        output: PathBuf,
+    },
     /// Measures the time and the error of every shading method, and names the methods worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),
@@ -102,9 +107,9 @@ Examples:
   shadetrade requires bench-close --shading phong --tolerance 4
   shadetrade requires my.toml -o least.toml
 
-A part is required unless the error of leaving it out is proven to be within the tolerance. Then it
-finds the fewest bits of significand that each stage of the model needs. With -o it leaves out several
-lights, cuboids and Phong of cuboids together, and writes the scene that is left.")]
+A part is required unless the error of leaving it out is proven to be within the tolerance. The second
+table has the fewest bits of significand that each stage of the model needs. -o writes a scene without
+all lights, cuboids and Phong of cuboids that can be left out together.")]
     Requires(RequiresOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\

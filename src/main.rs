@@ -56,7 +56,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let least = options.output.as_ref();
             requires::command::run(&options.drawing.open(least)?, least, options.json)
         }
-        Command::Figures(options) => pictures::figures(&options.output),
+        Command::Figures { output } => pictures::figures(&output),
         Command::Completions { shell } => cli::print_completions(shell),
     }?;
     Ok(())

@@ -105,7 +105,7 @@ fn beats(one: &Measurement, other: &Measurement) -> bool {
         && (mine < theirs || one.timing.is_measurably_less_than(&other.timing))
 }
 
-/// Measures the methods of `request`, which is that of a report.
+/// Measures the methods of a request for a report.
 ///
 /// # Errors
 /// As [`measure()`].

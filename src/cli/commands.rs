@@ -223,14 +223,6 @@ pub struct ExtremesOptions {
     pub workers: WorkerOptions,
 }
 
-/// The options of `figures`.
-#[derive(Args, Debug)]
-pub struct FiguresOptions {
-    /// The folder for the figures, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = folder(), default_value = DEFAULT_FIGURES)]
-    pub output: PathBuf,
-}
-
 /// The default folder for figures.
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
@@ -243,7 +235,7 @@ fn picture_file() -> impl TypedValueParser<Value = Output> {
 }
 
 /// Refuses standard output, which cannot hold the files of a folder.
-fn folder() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn folder() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| match path.to_str() {
         Some("-") => Err("it is a folder, not standard output; ./- is a folder of that name"),
         _ => Ok(PathBuf::from(path)),

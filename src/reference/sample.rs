@@ -71,12 +71,8 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
         light.on.then(|| name.0.clone())
     });
     let names: Vec<String> = lights.into_iter().flatten().collect();
-    let mut met = Vec::new();
-    let columns = columns.iter().map(|&x| {
-        reference.meet([x, y], &cuboids, &mut met);
-        reference.sample(met.first()?, &names)
-    });
-    columns.collect()
+    let sample = |x: &usize| reference.sample(reference.meet([*x, y], &cuboids).first()?, &names);
+    columns.iter().map(sample).collect()
 }
 
 impl Reference<f64> {

@@ -1,7 +1,7 @@
 //! The clock of drawn frames, and robust statistics of their times.
 //!
 //! A run consists of [`BATCHES`]. Each starts with a new frame and a new copy of the scene. In a batch the methods take turns
-//! in random order, so that a slow moment of the machine meets all alike. The first frame of a turn warms caches and branch
+//! in random order, so that a slow moment of the machine affects all alike. The first frame of a turn warms caches and branch
 //! predictors and is not timed.
 //!
 //! ```text
