@@ -8,8 +8,8 @@
 //! camera   Name FileOrder Camera Orbit
 //! viewer   Viewer Background
 //! ```
-//! A scene has one viewer. Keys and widgets write components. [`View::of`] alone reads those of the viewer and of its
-//! camera for a picture. [`Lens`] and [`Illumination`] are derived once a frame, for all cuboids.
+//! A scene has one viewer. Keys and widgets write components. [`View::of`] alone reads the viewer and its camera for
+//! a picture. [`Lens`] and [`Illumination`] are derived once a frame, for all cuboids.
 //!
 //! The renderer and the reference share this module and compute everything else themselves.
 

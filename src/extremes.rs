@@ -32,7 +32,7 @@ const MIN_COVERED: u64 = 25;
 /// Width and height of a picture where the index names none, in pixels.
 pub const SIZE: [usize; 2] = [96, 72];
 
-/// A scene and its expectations: those of the index, or the defaults.
+/// A scene and its expectations, from the index or by default.
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Extreme {

@@ -145,6 +145,5 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
         let replay = format!("replay {name} -o FILE.apng` draws an animation");
         return Ok(window::play(&log, drawing).map_err(|error| advise(error, &replay))?);
     }
-    replaying::run(&log, drawing, output, options.animated(), options.hash)?;
-    Ok(())
+    Ok(replaying::run(&log, drawing, output, options.hash)?)
 }

@@ -1,6 +1,6 @@
 //! The commands `render` and `figures`: PNG files of a [`Drawing`].
 //!
-//! The bytes of a rendered picture are those of the window's frame.
+//! A rendered picture has the bytes of the window's frame.
 
 mod figures;
 mod sheet;

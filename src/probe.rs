@@ -1,7 +1,7 @@
 //! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, the cause of
 //! their difference, and the cost.
 //!
-//! The levels under Gouraud and Phong are those of the renderer at the view's tolerance. Vectors and terms come from the
+//! The levels under Gouraud and Phong come from the renderer at the view's tolerance. Vectors and terms come from the
 //! reference in f64.
 
 mod cause;

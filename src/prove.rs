@@ -127,9 +127,10 @@ impl Shown {
     /// A pixel of two frames of one picture, one with levels and one with the bytes for a window.
     pub fn at(pixel: usize, levels: &Frame, display: &Frame) -> Self {
         let [_, bytes @ ..] = display.pixels()[pixel].to_be_bytes();
+        let (face, levels) = shown(levels, pixel);
         Shown {
-            face: shown_face(levels.triangles()[pixel]),
-            levels: levels.levels()[pixel].map(f64::from),
+            face,
+            levels,
             bytes: Some(bytes),
         }
     }
@@ -151,13 +152,15 @@ impl Shown {
     }
 }
 
-/// The face of a triangle: cuboid * 6 + face.
-pub fn shown_face(triangle: u32) -> Option<usize> {
-    (triangle != NO_TRIANGLE).then_some(face(triangle) as usize)
+/// The face at a pixel of a frame, cuboid * 6 + face, and its levels.
+pub fn shown(frame: &Frame, pixel: usize) -> (Option<usize>, [f64; 3]) {
+    let triangle = frame.triangles()[pixel];
+    let face = (triangle != NO_TRIANGLE).then_some(face(triangle) as usize);
+    (face, frame.levels()[pixel].map(f64::from))
 }
 
-/// The least and the largest possible error of `levels` against the enclosures of the face shown. Of several enclosures, each
-/// end is that of the nearest. `None` if the pixel may not show this face.
+/// The least and the largest possible error of `levels` against the enclosures of the face shown. Of several enclosures, the
+/// nearest decides each end. `None` if the pixel may not show this face.
 pub fn nearest(
     shown: Option<usize>,
     levels: [f64; 3],

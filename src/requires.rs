@@ -134,7 +134,7 @@ impl Change {
 /// One change for each list of parts. All parts of a list, at most one of them a [`Part::Rule`], are left out together.
 /// Computed on rayon's current threads.
 ///
-/// Each cuboid keeps its own shading; that of the view is not used.
+/// Each cuboid keeps its own shading. The shading of the view is not used.
 ///
 /// # Errors
 /// If the work is cancelled.

@@ -53,14 +53,6 @@ pub struct ReplayOptions {
     pub workers: WorkerOptions,
 }
 
-impl ReplayOptions {
-    /// Whether the output is an animation of all frames.
-    pub fn animated(&self) -> bool {
-        let name = self.output.as_ref().map(Output::name);
-        name.is_some_and(|name| name.to_lowercase().ends_with(".apng"))
-    }
-}
-
 /// The options of `render`.
 #[derive(Args, Debug)]
 pub struct RenderOptions {

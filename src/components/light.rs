@@ -28,7 +28,7 @@ impl LightKind {
     }
 }
 
-/// A light. Its position is that of its [`Transform`](super::Transform).
+/// A light. Its [`Transform`](super::Transform) has its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// The term it feeds.

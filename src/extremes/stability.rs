@@ -20,7 +20,7 @@ use self::sweeps::SWEEPS;
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, print, say};
-use crate::prove::{nearest, shown_face};
+use crate::prove::{nearest, shown};
 use crate::reference::{Interval, Real, Reference};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
@@ -70,17 +70,14 @@ fn errors(record: &SceneRecord, size: [usize; 2], level: Level) -> anyhow::Resul
     for y in 0..size[1] {
         enclosures.row(y, |x, seen| {
             let pixel = y * size[0] + x;
-            let [exact, half] = frames.each_ref().map(|frame| {
-                let face = shown_face(frame.triangles()[pixel]);
-                (face, frame.levels()[pixel].map(f64::from))
-            });
-            let shown = [
+            let [exact, half] = frames.each_ref().map(|frame| shown(frame, pixel));
+            let surfaces = [
                 nearest_surface(&in_f32, [x, y]),
                 exact,
                 half,
                 nearest_surface(&in_f64, [x, y]),
             ];
-            for (worst, (face, levels)) in errors.iter_mut().zip(shown) {
+            for (worst, (face, levels)) in errors.iter_mut().zip(surfaces) {
                 let error = nearest(face, levels, seen).unwrap_or([255.0; 2]);
                 *worst = [worst[0].max(error[0]), worst[1].max(error[1])];
             }

@@ -14,7 +14,7 @@ const OUTSIDE: f64 = 0.1;
 
 impl ProbedSurface {
     /// The cause of the difference between interpolation and exact Phong in a channel, and its evidence. The interpolation
-    /// is that of the picture, or Gouraud's if the picture is Phong's. `None` if the reference sees another face.
+    /// is the picture's, or Gouraud's if the picture is Phong's. `None` if the reference sees another face.
     pub fn cause(&self, channel: usize) -> Option<[String; 2]> {
         let sample = self.sample.as_ref()?;
         let exact = sample.phong[channel];

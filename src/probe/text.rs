@@ -14,7 +14,7 @@ const NEGLIGIBLE: f64 = 1e-6;
 const ROUNDING: f64 = 1e-12;
 
 impl ProbedSurface {
-    /// The number of the triangle, and that of the reference if it differs.
+    /// The number of the triangle, and the reference's number if it differs.
     pub fn triangle_label(&self) -> String {
         let own = self.triangle as usize;
         match &self.sample {

@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
 
-/// A number type of the reference. The default methods are those of a type that holds one value.
+/// A number type of the reference. The default methods suit a type that holds one value.
 pub trait Real:
     Copy
     + Send

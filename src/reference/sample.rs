@@ -76,7 +76,7 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
 }
 
 impl Reference<f64> {
-    /// The evaluation where a line of sight meets a cuboid. The names are those of the lights that are on.
+    /// The evaluation where a line of sight meets a cuboid. `names` has the names of the lights that are on.
     fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
         let ReferenceCuboid { solid, surface, .. } = met.cuboid;
         let (face, place) = met.meeting.points.first()?;

@@ -104,7 +104,7 @@ pub struct StageBits {
     pub stage: &'static str,
     /// The fewest bits from which on all numbers up to 24 keep the tolerance; `None` if 24 do not.
     pub bits: Option<usize>,
-    /// The largest error with so many bits, or with 24.
+    /// The largest error with this number of bits, or with 24.
     pub largest_error: f64,
     pub formats: [FormatError; 3],
 }
@@ -230,7 +230,7 @@ impl Trial<'_> {
 
 /// The bits that each stage of the picture requires, computed on rayon's current threads.
 ///
-/// Each cuboid keeps its own shading; that of the view is not used.
+/// Each cuboid keeps its own shading. The shading of the view is not used.
 ///
 /// # Errors
 /// If the work is cancelled.

@@ -144,7 +144,7 @@ fn error(ends: [f64; 2]) -> String {
 }
 
 /// Writes the scene without parts that it does not require together. Only parts that a scene file can leave out are
-/// tried, that of the least error first.
+/// tried, the part with the least error first.
 fn write_least(
     subject: &str,
     scene: &Scene,

@@ -132,7 +132,7 @@ fn difference(left: &Look, right: &Look) -> f32 {
     color.powf(1.0 - feature)
 }
 
-/// One weight for each pixel along one direction; the middle one is that of the pixel itself.
+/// One weight for each pixel along one direction. The middle one belongs to the pixel itself.
 type Taps = Vec<f32>;
 
 /// The Gaussians of a contrast sensitivity, up to three standard deviations of the widest. The weights of their products

@@ -170,7 +170,7 @@ where
     }
 }
 
-/// The statistics of these errors, one or more, of which the largest is at `max_pixel`. Changes their order.
+/// The statistics of one or more errors. The largest is at `max_pixel`. Changes their order.
 fn statistics(errors: &mut [f64], max_pixel: [usize; 2]) -> ErrorStatistics {
     let count = errors.len() as f64;
     let over_1_level = errors.iter().filter(|error| **error > 1.0).count();

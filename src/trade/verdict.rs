@@ -50,7 +50,7 @@ fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&
     measured.iter().find(|it| it.method == method)
 }
 
-/// The time of `shown` against that of a rival, and its error; `None` if nothing is drawn.
+/// The time of `shown` compared with a rival, and its error; `None` if nothing is drawn.
 ///
 /// The rival is Phong within half a level if that saves time, otherwise exact Phong.
 fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {

@@ -66,8 +66,8 @@ pub fn draw(
     Ok(())
 }
 
-/// Draws `log` again: writes its last frame, or all of them where `animated`, and prints a hash of each picture where
-/// that is asked for.
+/// Draws `log` again: writes its last frame, or all of them into a file that ends in .apng, and prints a hash of each
+/// picture where that is asked for.
 ///
 /// # Errors
 /// When a frame does not fit in memory, or something cannot be written.
@@ -75,7 +75,6 @@ pub fn run(
     log: &Log,
     drawing: Drawing,
     output: Option<&Output>,
-    animated: bool,
     with_hashes: bool,
 ) -> anyhow::Result<()> {
     let count = log.frames.len();
@@ -94,7 +93,7 @@ pub fn run(
             anyhow::Ok(done == count)
         };
         match output {
-            Some(output) if animated => {
+            Some(output) if output.name().to_lowercase().ends_with(".apng") => {
                 let mut file = Vec::new();
                 let mut animation = Animation::new(&mut file, canvas, count)?;
                 draw(log, drawing, |app, frame, size| {
