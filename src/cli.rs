@@ -107,9 +107,10 @@ Examples:
   shadetrade requires bench-close --shading phong --tolerance 4
   shadetrade requires my.toml -o least.toml
 
-A part is required unless the error of leaving it out is proven to be within the tolerance. The second
-table has the fewest bits of significand that each stage of the model needs. -o writes a scene without
-all lights, cuboids and Phong of cuboids that can be left out together.")]
+A part is required unless the error of leaving it out is proven to be within the tolerance.
+The second table has the fewest bits of significand that each stage of the model needs.
+With -o it leaves out several lights, cuboids and Phong of cuboids together, and writes the
+scene that is left.")]
     Requires(RequiresOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\

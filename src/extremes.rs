@@ -125,10 +125,8 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let mut table = table();
     let names = names.iter().map(|it| it.trim_start_matches(FOLDER));
     let names: Vec<&str> = names.collect();
-    let mut missing = names
-        .iter()
-        .filter(|name| table.iter().all(|it| it.name != **name));
-    if let Some(name) = missing.next() {
+    let is_missing = |name: &&&str| table.iter().all(|it| it.name != **name);
+    if let Some(name) = names.iter().find(is_missing) {
         bail!("no extreme is named {name:?}; `shadetrade extremes` lists them");
     }
     table.retain(|extreme| names.is_empty() || names.contains(&extreme.name));

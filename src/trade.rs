@@ -31,7 +31,6 @@ pub mod timing;
 pub mod verdict;
 
 use std::path::Path;
-use std::time::Duration;
 
 use rayon::prelude::*;
 
@@ -44,9 +43,6 @@ use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::report::words::counted;
 use crate::shading::Method;
-
-/// The default time for timing frames.
-pub const USUAL_TIME: Duration = Duration::from_secs(20);
 
 /// Times the batch with this number.
 pub type TimeBatch = fn(&Request, usize, Monitor) -> anyhow::Result<Batch>;

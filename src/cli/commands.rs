@@ -82,9 +82,10 @@ pub struct TradeOptions {
     /// Takes the least number of samples; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
     pub quick: bool,
-    /// The total time for timing frames, without the reference; at least 30 frames of each method [default: 20]
+    /// The total time for timing frames, without the reference; at least 30 frames of each method
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
-    pub seconds: Option<Duration>,
+    #[arg(default_value = "20", default_value_if("quick", "true", "0"))]
+    pub seconds: Duration,
     /// Measures only these methods [default: all]
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
     pub methods: Option<Vec<String>>,
@@ -107,17 +108,12 @@ impl TradeOptions {
             self.drawing.open(None)?
         };
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
-        let usual = if self.quick {
-            Duration::ZERO
-        } else {
-            trade::USUAL_TIME
-        };
         let ids = self.methods.as_ref();
         let is_chosen = |it: &Method| ids.is_none_or(|ids| ids.iter().any(|id| id == it.id));
         Ok(trade::Request {
             drawing,
             methods: METHODS.iter().copied().filter(is_chosen).collect(),
-            time: self.seconds.unwrap_or(usual),
+            time: self.seconds,
             is_report: true,
         })
     }
