@@ -173,14 +173,15 @@ fn write_file(path: &Path, content: &[u8]) -> anyhow::Result<()> {
 /// Writes a new file into `folder` under the first free name of `name(1)`, `name(2)`, ... and returns its path.
 ///
 /// # Errors
-/// If the folder cannot be written to, or the first 9999 names are taken.
+/// If the folder cannot be written to.
 pub fn write_numbered(
     folder: &Path,
     name: impl Fn(u32) -> String,
     content: &[u8],
 ) -> io::Result<PathBuf> {
     let mut file = temporary_file(folder, content)?;
-    for number in 1..=9999 {
+    let mut number = 1;
+    loop {
         let path = folder.join(name(number));
         // The system refuses an existing name, so two programs never get the same one.
         match file.persist_noclobber(&path) {
@@ -188,11 +189,8 @@ pub fn write_numbered(
             Err(taken) if taken.error.kind() == ErrorKind::AlreadyExists => file = taken.file,
             Err(other) => return Err(other.error),
         }
+        number += 1;
     }
-    Err(io::Error::new(
-        ErrorKind::AlreadyExists,
-        "every number is taken",
-    ))
 }
 
 /// A hidden file with the content and the default permissions of a new file. It is deleted on drop.
