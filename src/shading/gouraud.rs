@@ -101,13 +101,13 @@ impl<'a> Gouraud<'a> {
         tile: &mut TileColors,
     ) -> (Option<Interpolant<S>>, u64) {
         let number = inlined!(|number: f64| f64x4::splat(simd, number));
-        let [middle, right, down] = places.number(self.face.w.terms());
+        let [middle, ..] = places.number(self.face.w.terms());
         let inverse = 1.0 / middle;
-        let [e, g] = [right * inverse, down * inverse];
         let scaled = inlined!(|terms: [f64; 3]| {
             let number = places.number(terms);
             three!(|term| number[term] * inverse)
         });
+        let [_, e, g] = scaled(self.face.w.terms());
         let before = scaled(self.face.diagonal.terms());
         let change = before[1].abs() + before[2].abs();
         let meets = [before[0].simd_gt(-change), before[0].simd_lt(change)];

@@ -52,7 +52,8 @@ impl Pixels {
         self.count
     }
 
-    /// Adds the pixels of a row; the first is at `x`, `y` from the square's middle.
+    /// Adds the pixels of a row; the first is at `x`, `y` from the square's middle. If these were added one by one, as below,
+    /// frames at tolerance 0 would take 15 to 25 % more instructions.
     #[inline(always)]
     pub fn extend<S: Simd>(&mut self, simd: S, [x, y]: [f32; 2], indices: Range<usize>) {
         const LANES: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];

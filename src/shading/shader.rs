@@ -59,7 +59,6 @@ impl Shader<'_> {
         &self,
         simd: S,
         square: &Square,
-        picture: [f64; 2],
         index: usize,
         scratch: &mut Scratch,
     ) -> bool {
@@ -71,8 +70,8 @@ impl Shader<'_> {
         } else if square.side > MIN_SIDE {
             return false;
         }
-        let middle = square.middle();
-        let middle = two!(|axis| middle[axis] - picture[axis]);
+        let (middle, origin) = (square.middle(), self.face().rays.lens.half);
+        let middle = two!(|axis| middle[axis] - origin[axis]);
         pixels.define(middle, !in_f32, |x, y| self.define(x, y));
         true
     }

@@ -33,20 +33,11 @@ impl Spans<'_> {
         self.first..self.first + self.from.len()
     }
 
-    /// The columns in which any pixel is covered on some rows of the picture, and those that are covered on each of these rows.
-    /// Both may be empty.
-    pub fn extents(&self, rows: Range<usize>) -> (Range<usize>, Range<usize>) {
-        let outer = Square::bounded(self, rows.clone(), [0, i32::MAX]);
-        let outer = outer.columns[0]..outer.columns[1] + usize::from(outer.pixels > 0);
-        let local = self.local(rows.clone());
-        let [from, to] = [self.from, self.to].map(|ends| ends[local.clone()].iter().copied());
-        let inner = match (from.max(), to.min()) {
-            (Some(from), Some(to)) if local.len() == rows.len() && from < to => {
-                from as usize..to as usize
-            }
-            _ => 0..0,
-        };
-        (outer, inner)
+    /// The columns in which any pixel is covered on some rows of the picture.
+    #[inline(always)]
+    pub fn columns(&self, rows: Range<usize>) -> Range<usize> {
+        let outer = Square::bounded(self, rows, [0, i32::MAX]);
+        outer.columns[0]..outer.columns[1] + usize::from(outer.pixels > 0)
     }
 
     /// Which of the spans are those of some rows of the picture.
@@ -68,11 +59,10 @@ impl Spans<'_> {
         let local = self.local(rows);
         let rows = self.first + local.start..;
         let spans = self.from[local.clone()].iter().zip(&self.to[local]);
-        let clipped = rows.zip(spans.map(move |(&from, &to)| {
+        rows.zip(spans).filter_map(move |(row, (&from, &to))| {
             let (from, to) = (from.max(first as i32), to.min(last as i32 + 1));
-            from as usize..to.max(from) as usize
-        }));
-        clipped.filter(|(_, span)| !span.is_empty())
+            (from < to).then_some((row, from as usize..to as usize))
+        })
     }
 }
 
@@ -106,19 +96,8 @@ impl Square {
         })
     }
 
-    /// A square that is covered all over.
-    #[inline(always)]
-    pub fn whole(place: [usize; 2], side: usize) -> Self {
-        Square {
-            place,
-            side,
-            columns: [place[0], place[0] + side - 1],
-            rows: [place[1], place[1] + side - 1],
-            pixels: side * side,
-        }
-    }
-
-    /// The square at a place, of a side.
+    /// The square at a place, of a side. Compiled without SIMD, frames that are mostly interpolated take 2 to 5 % more
+    /// instructions.
     #[inline(always)]
     pub fn new(spans: &Spans, place: [usize; 2], side: usize) -> Self {
         let ends = [place[0] as i32, (place[0] + side) as i32];
@@ -158,16 +137,13 @@ impl Square {
     }
 
     /// Its quarters.
+    #[inline(always)]
     pub fn quarters(&self, spans: &Spans) -> [Square; 4] {
         let side = self.side / 2;
         four!(|quarter| {
             let [right, down] = [quarter % 2 * side, quarter / 2 * side];
             let place = [self.place[0] + right, self.place[1] + down];
-            if self.is_whole() {
-                Square::whole(place, side)
-            } else {
-                Square::new(spans, place, side)
-            }
+            Square::new(spans, place, side)
         })
     }
 

@@ -23,8 +23,6 @@ pub struct Canvas<'a, 'b> {
     pub id: u32,
     /// The square that is drawn next.
     pub square: Square,
-    /// The picture's middle, in pixels from its corner.
-    pub picture: [f64; 2],
     pub counts: &'a mut Counts,
 }
 
@@ -103,12 +101,12 @@ impl Canvas<'_, '_> {
     #[inline(never)]
     fn mark(&mut self, kind: TileKind, drawn: &Face) {
         let Square { place, columns, .. } = self.square;
+        let origin = drawn.rays.lens.half;
         for (row, span) in self.spans.clipped(self.rows(), columns) {
             for column in span {
                 let pixel = self.band.index(column, row);
                 if face(self.band.triangles[pixel]) == face(self.id) {
-                    let [x, y] =
-                        [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - self.picture[axis]);
+                    let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - origin[axis]);
                     let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
                     self.band.triangles[pixel] = self.id + second;
                     let edge = row == place[1] || column == place[0];

@@ -36,7 +36,6 @@ impl DrawList {
             spans,
             id: piece.id,
             square: small.unwrap_or_default(),
-            picture: self.rays.lens.half,
             counts,
         };
         let strips = match small {
@@ -58,7 +57,7 @@ impl DrawList {
         let shader = &self.shader(object, &face, &mut lights, &mut to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
-                let places = Places::new(simd, &[*square; 4], canvas.picture);
+                let places = Places::new(simd, &[*square; 4], self.rays.lens.half);
                 shader.prepare(simd, &places, false, scratch);
                 canvas.draw_listed(simd, shader, 0, strips, scratch);
             }
@@ -101,18 +100,13 @@ impl Canvas<'_, '_> {
     fn draw_face<S: Simd>(&mut self, simd: S, shader: &Shader, scratch: &mut Scratch) {
         let rows = self.band.held(self.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
-            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
-            for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
-                let squares = four!(|index| {
-                    let place = [column + index * MAX_SIDE, row];
-                    if extent.end <= place[0] {
-                        Square::default()
-                    } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
-                        Square::whole(place, MAX_SIDE)
-                    } else {
-                        Square::new(&self.spans, place, MAX_SIDE)
-                    }
-                });
+            let columns = outlined!(simd, self.spans.columns(row..row + MAX_SIDE));
+            for left in (columns.start / MAX_SIDE * MAX_SIDE..columns.end).step_by(4 * MAX_SIDE) {
+                let place = |index: usize| [left + index * MAX_SIDE, row];
+                let squares = outlined!(
+                    simd,
+                    four!(|index| Square::new(&self.spans, place(index), MAX_SIDE))
+                );
                 self.draw_squares(simd, shader, &squares, scratch);
             }
         }
@@ -131,7 +125,7 @@ impl Canvas<'_, '_> {
         if !seen.contains(&true) {
             return;
         }
-        let places = Places::new(simd, squares, self.picture);
+        let places = Places::new(simd, squares, shader.face().rays.lens.half);
         let (interpolant, promising) = shader.prepare(simd, &places, true, scratch);
         let mut cut = [false; 4];
         for (index, square) in squares.iter().enumerate() {
@@ -158,7 +152,8 @@ impl Canvas<'_, '_> {
         // Last, because this overwrites what is prepared for the four squares.
         for (index, square) in squares.iter().enumerate() {
             if cut[index] {
-                self.draw_squares(simd, shader, &square.quarters(&self.spans), scratch);
+                let quarters = outlined!(simd, square.quarters(&self.spans));
+                self.draw_squares(simd, shader, &quarters, scratch);
             }
         }
     }
@@ -195,7 +190,7 @@ impl Canvas<'_, '_> {
         tiles: u64,
         scratch: &mut Scratch,
     ) -> bool {
-        let drawn = shader.evaluate(simd, &self.square, self.picture, index, scratch);
+        let drawn = shader.evaluate(simd, &self.square, index, scratch);
         if drawn {
             outlined!(simd, self.draw_pixels(simd, &scratch.pixels));
             let kind = shader.count(index, scratch.pixels.count(), scratch, self.counts);
