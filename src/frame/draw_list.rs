@@ -11,7 +11,7 @@ use crate::components::{Illumination, Material, ShadingMode, WorldTransform};
 use crate::shading::affine::Affine;
 use crate::shading::face::Rays;
 use crate::shading::gloss::Gloss;
-use crate::shading::square::{ALL_COLUMNS, MAX_SIDE, Spans};
+use crate::shading::square::{MAX_SIDE, Spans};
 
 /// Everything that is drawn in a frame.
 #[derive(Debug, Default)]
@@ -117,7 +117,7 @@ impl DrawList {
             let own = rows.start.max(end - MAX_SIDE)..end;
             for piece in self.strip(strip) {
                 let spans = self.spans(piece);
-                let covered = spans.clipped(own.clone(), ALL_COLUMNS);
+                let covered = spans.within(&own);
                 work += PIECE + covered.map(|(_, span)| span.len()).sum::<usize>();
             }
             if work >= BAND && end < rows.end {

@@ -13,9 +13,6 @@ pub const MAX_SIDE: usize = 32;
 /// The side of squares that are not cut further, in pixels.
 pub const MIN_SIDE: usize = 16;
 
-/// The first and the last column of any picture.
-pub const ALL_COLUMNS: [usize; 2] = [0, i32::MAX as usize - 1];
-
 /// The pixels from..to that a face covers of each of its rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Spans<'a> {
@@ -33,11 +30,27 @@ impl Spans<'_> {
         self.first..self.first + self.from.len()
     }
 
-    /// The columns in which any pixel is covered on some rows of the picture.
-    #[inline(always)]
-    pub fn columns(&self, rows: Range<usize>) -> Range<usize> {
-        let outer = Square::bounded(self, rows, [0, i32::MAX]);
-        outer.columns[0]..outer.columns[1] + usize::from(outer.pixels > 0)
+    /// The columns in which any pixel is covered on some rows of the picture, and those that are covered on each of these rows.
+    /// Both may be empty.
+    pub fn extents(&self, rows: Range<usize>) -> (Range<usize>, Range<usize>) {
+        let outer = Square::bounded(self, rows.clone(), [0, i32::MAX]);
+        let outer = outer.columns[0]..outer.columns[1] + usize::from(outer.pixels > 0);
+        let local = self.local(rows.clone());
+        let [from, to] = [self.from, self.to].map(|ends| ends[local.clone()].iter().copied());
+        let inner = match (from.max(), to.min()) {
+            (Some(from), Some(to)) if local.len() == rows.len() && from < to => {
+                from as usize..to as usize
+            }
+            _ => 0..0,
+        };
+        (outer, inner)
+    }
+
+    /// The covered pixels within some rows of the picture, row by row.
+    pub fn within(&self, rows: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let rows = rows.start.max(self.first)..rows.end;
+        let spans = self.clipped(rows, [0, i32::MAX as usize - 1]);
+        spans.filter(|(_, span)| !span.is_empty())
     }
 
     /// Which of the spans are those of some rows of the picture.
@@ -49,20 +62,20 @@ impl Spans<'_> {
         start..end.max(start)
     }
 
-    /// The covered pixels within some rows of the picture and from the first to the last of some columns, row by row.
+    /// The same from the first to the last of some columns; the spans have all of these rows. A row without such pixels has an
+    /// empty range.
     #[inline(always)]
     pub fn clipped(
         &self,
         rows: Range<usize>,
         [first, last]: [usize; 2],
     ) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let local = self.local(rows);
-        let rows = self.first + local.start..;
+        let local = self.local(rows.clone());
         let spans = self.from[local.clone()].iter().zip(&self.to[local]);
-        rows.zip(spans).filter_map(move |(row, (&from, &to))| {
+        (rows.start..).zip(spans.map(move |(&from, &to)| {
             let (from, to) = (from.max(first as i32), to.min(last as i32 + 1));
-            (from < to).then_some((row, from as usize..to as usize))
-        })
+            from as usize..to.max(from) as usize
+        }))
     }
 }
 
@@ -96,8 +109,20 @@ impl Square {
         })
     }
 
-    /// The square at a place, of a side. Compiled without SIMD, frames that are mostly interpolated take 2 to 5 % more
-    /// instructions.
+    /// A square that is covered all over. Compared with [`Square::new`] for all squares, frames of bench-close take 5 % less time
+    /// (Phong, tolerance 0.5, one thread).
+    #[inline(always)]
+    pub fn whole(place: [usize; 2], side: usize) -> Self {
+        Square {
+            place,
+            side,
+            columns: [place[0], place[0] + side - 1],
+            rows: [place[1], place[1] + side - 1],
+            pixels: side * side,
+        }
+    }
+
+    /// The square at a place, of a side.
     #[inline(always)]
     pub fn new(spans: &Spans, place: [usize; 2], side: usize) -> Self {
         let ends = [place[0] as i32, (place[0] + side) as i32];
@@ -137,13 +162,16 @@ impl Square {
     }
 
     /// Its quarters.
-    #[inline(always)]
     pub fn quarters(&self, spans: &Spans) -> [Square; 4] {
         let side = self.side / 2;
         four!(|quarter| {
             let [right, down] = [quarter % 2 * side, quarter / 2 * side];
             let place = [self.place[0] + right, self.place[1] + down];
-            Square::new(spans, place, side)
+            if self.is_whole() {
+                Square::whole(place, side)
+            } else {
+                Square::new(spans, place, side)
+            }
         })
     }
 

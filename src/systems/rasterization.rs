@@ -22,7 +22,7 @@ use crate::components::View;
 use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::affine::Affine;
 use crate::shading::face::Rays;
-use crate::shading::square::{ALL_COLUMNS, MAX_SIDE};
+use crate::shading::square::MAX_SIDE;
 use crate::simd::dispatch;
 
 /// Depths whose relative difference is smaller than this tie, and the cuboid earlier in the file wins. Without this rule
@@ -58,7 +58,7 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) 
     let (deep, middle) = (!band.depths.is_empty(), list.rays.lens.half);
     if !deep {
         for piece in list.strip(strip) {
-            for (row, span) in list.spans(piece).clipped(rows.clone(), ALL_COLUMNS) {
+            for (row, span) in list.spans(piece).within(rows) {
                 band.will_draw(row, span.start, span.end);
             }
         }
@@ -68,7 +68,7 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) 
         return;
     }
     for piece in list.strip(strip) {
-        for (row, span) in list.spans(piece).clipped(rows.clone(), ALL_COLUMNS) {
+        for (row, span) in list.spans(piece).within(rows) {
             let pixels = band.indices(row, &span);
             let ids = &mut band.triangles[pixels.clone()];
             if deep {

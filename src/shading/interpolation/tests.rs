@@ -55,17 +55,6 @@ impl Judge {
     }
 }
 
-/// A square that is covered all over.
-fn whole(place: [usize; 2], side: usize) -> Square {
-    Square {
-        place,
-        side,
-        columns: [place[0], place[0] + side - 1],
-        rows: [place[1], place[1] + side - 1],
-        pixels: side * side,
-    }
-}
-
 fn judge(
     color: &[[[f64; 3]; 3]; 4],
     crossing: Option<[f64; 3]>,
@@ -89,7 +78,7 @@ fn judge(
     };
     let kind = interpolant.kinds[2];
     if kind.is_some() {
-        let square = whole([96, 64], side);
+        let square = Square::whole([96, 64], side);
         match interpolant.ramp(simd, 2, &square) {
             Some(mut ramp) => judge.draw(&mut ramp),
             None => judge.draw(&mut interpolant.curve(simd, 2, &square)),
@@ -250,7 +239,7 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
                 let kind = interpolant.kinds[0].expect("a budget is left");
                 kinds[kind as usize] += 1;
                 // Half extents of a pixel.
-                let square = whole([0, 0], 3);
+                let square = Square::whole([0, 0], 3);
                 let color = interpolant.color(0, &square)[1];
                 let grid = (0..=20).map(|place| f64::from(place) / 10.0 - 1.0);
                 for (x, y) in grid.clone().flat_map(|x| grid.clone().map(move |y| (x, y))) {

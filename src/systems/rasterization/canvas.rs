@@ -60,6 +60,9 @@ impl Canvas<'_, '_> {
         let [left, top] = self.square.first().map(|first| first as f32);
         let (mut strips, mut last) = (0, None);
         for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
+            if span.is_empty() {
+                continue;
+            }
             let x = left + (span.start - self.square.place[0]) as i32 as f32;
             let y = top + (row - self.square.place[1]) as i32 as f32;
             let indices = self.band.indices(row, &span);
@@ -162,6 +165,9 @@ impl Canvas<'_, '_> {
             rows.go_to(part);
             let first = left + 16 * part;
             for (row, span) in self.spans.clipped(held.clone(), [first, first + 15]) {
+                if span.is_empty() {
+                    continue;
+                }
                 let seen = self.seen(first, row, span);
                 self.counts.covered_pixels += u64::from(seen.count_ones());
                 let start = self.band.index(first, row);

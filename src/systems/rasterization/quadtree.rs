@@ -100,13 +100,18 @@ impl Canvas<'_, '_> {
     fn draw_face<S: Simd>(&mut self, simd: S, shader: &Shader, scratch: &mut Scratch) {
         let rows = self.band.held(self.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
-            let columns = outlined!(simd, self.spans.columns(row..row + MAX_SIDE));
-            for left in (columns.start / MAX_SIDE * MAX_SIDE..columns.end).step_by(4 * MAX_SIDE) {
-                let place = |index: usize| [left + index * MAX_SIDE, row];
-                let squares = outlined!(
-                    simd,
-                    four!(|index| Square::new(&self.spans, place(index), MAX_SIDE))
-                );
+            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
+            for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
+                let squares = four!(|index| {
+                    let place = [column + index * MAX_SIDE, row];
+                    if extent.end <= place[0] {
+                        Square::default()
+                    } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
+                        Square::whole(place, MAX_SIDE)
+                    } else {
+                        Square::new(&self.spans, place, MAX_SIDE)
+                    }
+                });
                 self.draw_squares(simd, shader, &squares, scratch);
             }
         }
@@ -152,8 +157,7 @@ impl Canvas<'_, '_> {
         // Last, because this overwrites what is prepared for the four squares.
         for (index, square) in squares.iter().enumerate() {
             if cut[index] {
-                let quarters = outlined!(simd, square.quarters(&self.spans));
-                self.draw_squares(simd, shader, &quarters, scratch);
+                self.draw_squares(simd, shader, &square.quarters(&self.spans), scratch);
             }
         }
     }
