@@ -68,6 +68,9 @@ impl Interval {
     /// The interval that encloses `of` every pair of endpoints.
     fn of_endpoints(self, other: Self, of: impl Fn(f64, f64) -> (f64, bool)) -> Self {
         let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
+        if c == d {
+            return Interval::around([of(a, c), of(b, c)]);
+        }
         Interval::around([of(a, c), of(a, d), of(b, c), of(b, d)])
     }
 

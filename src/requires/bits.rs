@@ -152,7 +152,11 @@ impl Trial<'_> {
     }
 
     fn all(self, stage: Stage, vector: DVec3) -> DVec3 {
-        DVec3::from(vector.to_array().map(|value| self.one(stage, value)))
+        if stage == self.stage {
+            DVec3::from(vector.to_array().map(|value| self.format.round(value)))
+        } else {
+            vector
+        }
     }
 
     fn dot(self, stage: Stage, one: DVec3, other: DVec3) -> f64 {

@@ -25,12 +25,14 @@ fn levels() -> Vec<Level> {
     }
 }
 
-/// Every extreme; unless it is a full run, in pictures of a quarter of the usual size and in one mode, by turns.
+/// Every extreme; unless it is a full run, in one mode by turns, and in a quarter of the pixels if the
+/// picture has the usual shape.
 fn extremes() -> Vec<Extreme> {
     let mut extremes = table();
     for (number, extreme) in extremes.iter_mut().enumerate().filter(|_| !is_full()) {
-        if extreme.size == SIZE {
-            extreme.size = SIZE.map(|side| side / 2);
+        let [width, height] = extreme.size;
+        if width * SIZE[1] == height * SIZE[0] {
+            extreme.size = [width / 2, height / 2];
         }
         if extreme.modes.len() > 1 {
             extreme.modes.remove(number % 2);

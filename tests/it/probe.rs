@@ -128,9 +128,9 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
         }
         let view = View {
             tolerance: 0.5,
-            ..view_from(&scene, 0, [480, 360]).shaded(ShadingMode::Phong)
+            ..view_from(&scene, 0, [240, 180]).shaded(ShadingMode::Phong)
         };
-        let truth = reference::picture(&scene.world, &view, 0..360, Monitor::NONE)
+        let truth = reference::picture(&scene.world, &view, 0..180, Monitor::NONE)
             .expect("it is not cancelled");
         let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
@@ -140,15 +140,15 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
                 own == other || own / 2 != other / 2,
                 "at {pixel} of turn {turn}"
             );
-            // Every 37th pixel that has the face's other triangle to its right.
+            // Every 11th pixel that has the face's other triangle to its right.
             let next = triangles
                 .get(pixel + 1)
                 .is_some_and(|&next| next == own ^ 1);
-            if own != other || !next || pixel % 37 > 0 {
+            if own != other || !next || pixel % 11 > 0 {
                 continue;
             }
             on_diagonals += 1;
-            let place = [pixel % 480, pixel / 480];
+            let place = [pixel % 240, pixel / 240];
             let probe = probe::at(&mut scene, &view, place, Level::new()).expect("a row fits");
             let surface = probe.surface.expect("a face is seen");
             assert_eq!(surface.triangle, own);

@@ -5,13 +5,13 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::prove::nearest;
+use shadetrade::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
+use shadetrade::report::Monitor;
 use shadetrade::shading::TileKind;
 use shadetrade::systems;
 
 use super::is_full;
-use crate::prove::proof;
 use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, view};
 
 const MATERIAL: Material = Material {
@@ -23,16 +23,22 @@ const MATERIAL: Material = Material {
 
 const EYE: DVec3 = DVec3::new(7.0, 5.0, 8.0);
 
-/// Views of the origin in both projections and modes, at tolerances 0 and 0.5.
+const TOLERANCES: [f64; 2] = [0.0, 0.5];
+
+/// Views of the origin in both projections and modes.
 fn views(size: [usize; 2], eye: DVec3) -> Vec<View> {
     let mut views = Vec::new();
     for projection in Projection::ALL {
         for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
-            let view = view(size, eye, DVec3::ZERO, projection).shaded(mode);
-            views.extend([0.0, 0.5].map(|tolerance| view.with_tolerance(tolerance)));
+            views.push(view(size, eye, DVec3::ZERO, projection).shaded(mode));
         }
     }
     views
+}
+
+fn at_both_tolerances(views: &[View]) -> impl Iterator<Item = View> {
+    let both = |view: &View| TOLERANCES.map(|tolerance| view.with_tolerance(tolerance));
+    views.iter().flat_map(both)
 }
 
 fn one_cuboid() -> World {
@@ -52,12 +58,14 @@ fn light_all(world: &mut World, place: DVec3) {
     }
 }
 
-/// Asserts that every pixel of a view is proven, and that at least this many show a cuboid.
+/// Asserts that every pixel of a view is proven at both tolerances, and that at least this many show a cuboid.
 fn assert_proven(world: &mut World, view: &View, least: u64) {
-    let proof = proof(world, view);
-    let open = (proof.refuted, proof.undecided);
-    assert_eq!(open, (0, 0), "{view:?}: {:?}", proof.examples);
-    assert!(proof.covered >= least, "{} pixels", proof.covered);
+    let proofs = prove_at(TOLERANCES, world, view, None, Level::new(), Monitor::NONE);
+    for proof in proofs.expect("a small picture fits") {
+        let open = (proof.refuted, proof.undecided);
+        assert_eq!(open, (0, 0), "{view:?}: {:?}", proof.examples);
+        assert!(proof.covered >= least, "{} pixels", proof.covered);
+    }
 }
 
 #[test]
@@ -86,8 +94,9 @@ fn ten_thousand_cuboids_are_proven() {
         spawn_cuboid(&mut world, DVec3::new(0.3, 0.2, 0.25), transform, MATERIAL);
     }
     light_all(&mut world, DVec3::splat(10.0));
-    let step = if is_full() { 1 } else { 3 };
-    for mut view in views([96, 72], EYE).into_iter().step_by(step) {
+    // Both projections and both modes.
+    let some = if is_full() { 0..4 } else { 1..3 };
+    for mut view in views([96, 72], EYE).drain(some) {
         view.camera.fov = 45.0;
         assert_proven(&mut world, &view, 1000);
     }
@@ -98,7 +107,7 @@ fn ten_thousand_cuboids_are_proven() {
 fn faces_of_a_few_pixels_are_evaluated_in_f32() {
     let mut world = one_cuboid();
     light_all(&mut world, DVec3::splat(10.0));
-    for view in views([20, 16], EYE) {
+    for view in at_both_tolerances(&views([20, 16], EYE)) {
         let counts = draw(&mut world, &view, Keep::Display).counts();
         assert!(counts.covered_pixels > 30, "{counts:?}");
         assert_eq!(counts.tiles[TileKind::Double as usize], 0, "{view:?}");
@@ -140,7 +149,7 @@ fn the_largest_picture_is_proven_in_samples() {
 fn no_power_is_evaluated_for_a_light_that_sends_nothing() {
     let mut world = one_cuboid();
     shine(&mut world, LightKind::Specular, 0.0, DVec3::splat(10.0));
-    for view in views([96, 72], EYE) {
+    for view in at_both_tolerances(&views([96, 72], EYE)) {
         let counts = draw(&mut world, &view, Keep::Levels).counts();
         assert!(counts.covered_pixels > 1000 && counts.specular_evaluations == 0);
     }

@@ -125,7 +125,7 @@ fn a_format_fails_where_its_exponents_end() {
 /// of u away, and the error is at most 0.478. In bf16 it is 77: (8/3 z + 1) u, at most 1.036 levels.
 #[test]
 fn half_a_level_of_the_default_highlight_requires_nine_bits_of_the_power() {
-    let (scene, view) = built_in("cuboid", ShadingMode::Phong, [240, 180]);
+    let (scene, view) = built_in("cuboid", ShadingMode::Phong, [120, 90]);
     let power = &of(&scene, &view)[4];
     let [f16, bf16, _] = power.formats.each_ref().map(|it| it.largest_error);
     assert!((0.06..=0.1195).contains(&f16), "{power:?}");

@@ -28,7 +28,8 @@ const CHANGES: [Key; 9] = [
 fn changes_are_undone_and_redone_in_order() {
     // A second after each change, and at once.
     for pause in [PAUSE, Duration::ZERO] {
-        let mut window = Window::open();
+        // A small picture, because the error map is computed again at each step.
+        let mut window = Window::of(default_scene(), [480, 160]);
         let state = |window: &Window| (window.record(), window.seen());
         let mut states = vec![state(&window)];
         for key in CHANGES {

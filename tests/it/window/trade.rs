@@ -110,7 +110,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
 
 #[test]
 fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
-    let mut window = open();
+    let mut window = Window::with(app_with_trade(), [430, 200]);
     for key in [Key::P, Key::OpenBracket, Key::G, Key::F5, Key::H, Key::H] {
         window.press(key);
         assert!(window.app.facts.trade.current().is_some(), "{key:?}");
@@ -125,7 +125,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
         );
     }
     window.app.facts.trade.finish(Some(measured()));
-    window.size = [800, 600];
+    window.size = [430, 190];
     window.step(Vec::new());
     assert!(!window.app.facts.trade.is_current, "another size");
 }
