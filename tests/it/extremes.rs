@@ -1,7 +1,7 @@
 //! Every extreme passes, also those that need a generator or are compared with a scene without the extreme.
 //!
 //! `SHADETRADE_EXTREMES=full` proves all pictures at every SIMD level of this machine, and draws the largest picture of
-//! 16384 x 16384 pixels, which takes a gigabyte of memory. It needs a release build.
+//! 16384 x 16384 pixels, which takes a gigabyte of memory.
 
 mod crowds;
 mod same;
