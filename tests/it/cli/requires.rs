@@ -73,6 +73,7 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
         assert!([0.0, least, most, 255.0].is_sorted(), "{part:?}");
         assert_eq!(part.required, most > 4.0, "{part:?}");
         assert_eq!(part.pixels > 0, least > 4.0, "{part:?}");
+        assert!(part.time_share.is_none_or(|share| share < 1.0), "{part:?}");
     }
     // Most of the frame's time is spent on the only cuboid.
     assert!(
