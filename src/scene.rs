@@ -83,7 +83,7 @@ impl Scene {
             return Scene::parse(name, text);
         }
         let name = path.to_string_lossy();
-        let text = read(path).map_err(|cause| {
+        let bytes = read(path).map_err(|cause| {
             let names = BUILT_IN.map(|(name, _)| name).join(", ");
             let hint = match cause.kind() {
                 ErrorKind::NotFound => {
@@ -92,6 +92,13 @@ impl Scene {
                 _ => String::new(),
             };
             anyhow!("cannot read the scene {name:?}: {cause}{hint}")
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let start = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(error.as_bytes());
+            let mark = start..start + char::REPLACEMENT_CHARACTER.len_utf8();
+            let message = "not UTF-8, expected a text in UTF-8";
+            anyhow!(error::located(&name, &text, &mark, message))
         })?;
         let scene = Scene::parse(&name, &text)?;
         Ok(Scene {
@@ -165,17 +172,16 @@ impl Scene {
     }
 }
 
-/// The text of a file. Reading ends for every path, devices and pipes included.
-fn read(path: &Path) -> io::Result<String> {
-    let mut text = String::new();
-    File::open(path)?
-        .take(LARGEST + 1)
-        .read_to_string(&mut text)?;
-    if text.len() as u64 > LARGEST {
+/// The bytes of a file. Reading ends for every path, devices and pipes included.
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = File::open(path)?;
+    file.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST {
         let message = "it is larger than 16 MiB";
         return Err(io::Error::new(ErrorKind::FileTooLarge, message));
     }
-    Ok(text)
+    Ok(bytes)
 }
 
 /// The error for a `name` that is not among the `names` of a `kind`. It lists at most twenty names.
