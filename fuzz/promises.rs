@@ -5,7 +5,8 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{Light, Material, Mesh, ShadingMode, Transform, View, length};
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step};
-use shadetrade::reference::{at_pixel, picture};
+use shadetrade::reference::{in_row, picture};
+use shadetrade::report::Monitor;
 use shadetrade::systems;
 
 /// The largest error at tolerance 0, in levels of 255.
@@ -148,7 +149,7 @@ fn farthest(world: &mut World, view: &View) -> f64 {
 /// Asserts that the exact picture equals the reference where both show the same triangle and no light is tied.
 fn true_to_the_reference(world: &World, view: &View, exact: &Frame) {
     let rows = 0..view.size[1];
-    let truth = picture(world, view, rows, &|| false, &|_| ()).expect("nobody cancels");
+    let truth = picture(world, view, rows, Monitor::NONE).expect("nobody cancels");
     let shown = |level: f64| level.clamp(0.0, 255.0);
     for (pixel, (drawn, truth_levels)) in exact.levels().iter().zip(&truth.levels).enumerate() {
         let id = truth.triangles[pixel];
@@ -169,7 +170,7 @@ fn true_to_the_reference(world: &World, view: &View, exact: &Frame) {
 /// Whether the level of this pixel is ambiguous: a light grazes its face, or is at the visible point.
 fn is_tie(world: &World, view: &View, pixel: usize) -> bool {
     let [x, y] = [pixel % view.size[0], pixel / view.size[0]];
-    let Some(seen) = at_pixel(world, view, x, y) else {
+    let Some(Some(seen)) = in_row(world, view, y, &[x]).pop() else {
         return true;
     };
     let grazes = |l: DVec3| seen.normal.dot(l).abs() < 1e-6;

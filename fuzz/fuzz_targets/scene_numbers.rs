@@ -12,8 +12,8 @@ use glam::DVec3;
 use hecs::World;
 use libfuzzer_sys::fuzz_target;
 use shadetrade::components::{
-    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Projection, ShadingMode, Transform,
-    View, cuboid as components_of, length, unit,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
+    ShadingMode, Transform, VertexColors, View, WorldTransform, length, unit,
 };
 
 const LENGTHS: [f64; 2] = [1e-100, 1e100];
@@ -86,13 +86,17 @@ fn cuboid(u: &mut Unstructured, scale: f64, world: &mut World) -> Result<()> {
     };
     let order = world.query_mut::<&Mesh>().into_iter().count();
     let (name, mesh) = (Name("cuboid".into()), Mesh::cuboid(size));
-    world.spawn(components_of(
-        order,
+    world.spawn((
         name,
+        FileOrder(order as u32),
         transform,
         mesh,
         material,
         ShadingMode::Phong,
+        WorldTransform::default(),
+        Normals::default(),
+        VertexColors::default(),
+        Projected::default(),
     ));
     Ok(())
 }
