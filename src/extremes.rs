@@ -26,9 +26,6 @@ use crate::systems;
 /// The folder of the built-in names.
 const FOLDER: &str = "extremes/";
 
-/// The least number of pixels that show a cuboid, in all pictures from one camera: fewer prove little.
-const MIN_COVERED: u64 = 25;
-
 /// Width and height of a picture where the index names none, in pixels.
 pub const SIZE: [usize; 2] = [96, 72];
 
@@ -47,6 +44,9 @@ pub struct Extreme {
     projections: Vec<Projection>,
     pub modes: Vec<ShadingMode>,
     fact: Option<KnownFact>,
+    /// The least number of pixels that show a cuboid, in all pictures from one camera: fewer prove little.
+    #[serde(skip)]
+    pub least_covered: u64,
 }
 
 impl Default for Extreme {
@@ -57,6 +57,7 @@ impl Default for Extreme {
             projections: Projection::ALL.to_vec(),
             modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
             fact: None,
+            least_covered: 100,
         }
     }
 }
@@ -220,7 +221,7 @@ impl Extreme {
                 }
             }
             ensure!(
-                seen >= MIN_COVERED || self.fact.is_some(),
+                seen >= self.least_covered || self.fact.is_some(),
                 "camera {camera}: only {seen} pixels show a cuboid"
             );
             covered += seen;
