@@ -167,9 +167,10 @@ pub fn changes(
         let by_row = monitor.in_parallel("leaving out", 0..height, [first, all], |y| {
             let full = full(y);
             let change = |(picture, parts): (&PixelRows, &Vec<Part>)| {
+                let is_enclosed = is_enclosed(parts);
                 let pixels = full.iter().zip(picture(y));
                 Change::sum(pixels.map(|(full, without)| {
-                    let largest_error = error(full, &without, is_enclosed(parts));
+                    let largest_error = error(full, &without, is_enclosed);
                     let pixels = u64::from(largest_error[0] > limit);
                     Change {
                         largest_error,

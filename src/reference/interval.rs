@@ -68,6 +68,7 @@ impl Interval {
     /// The interval that encloses `of` every pair of endpoints.
     fn of_endpoints(self, other: Self, of: impl Fn(f64, f64) -> (f64, bool)) -> Self {
         let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
+        // An exact operand has one endpoint. Without this the proofs of all extremes take 5 % longer.
         if c == d {
             return Interval::around([of(a, c), of(b, c)]);
         }

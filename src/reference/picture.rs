@@ -123,23 +123,29 @@ impl<R: Real> Reference<R> {
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
         let here = |cuboid: &&ReferenceCuboid<R>| cuboid.solid.rows.contains(&y);
         let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.sight.size[0] {
-            each(x, &self.see(&self.meet([x, y], &cuboids)));
+            self.meet([x, y], &cuboids, &mut met);
+            self.see(&met, &mut seen);
+            each(x, &seen);
         }
     }
 
     /// The surfaces that the pixel [x, y] may show.
     pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
         let cuboids: Vec<_> = self.cuboids.iter().collect();
-        self.see(&self.meet(pixel, &cuboids))
+        let (mut met, mut seen) = (Vec::new(), Vec::new());
+        self.meet(pixel, &cuboids, &mut met);
+        self.see(&met, &mut seen);
+        seen
     }
 
-    /// The surfaces of these cuboids, and the background unless one of them is certainly hit.
-    fn see(&self, met: &[Met<R>]) -> Vec<Seen<R>> {
-        let mut seen = Vec::new();
+    /// Overwrites `seen` with the surfaces of these cuboids, and the background unless one of them is certainly hit.
+    fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
+        seen.clear();
         for met in met {
             for (face, place) in &met.meeting.points {
-                met.cuboid.see(*face, place, &mut seen);
+                met.cuboid.see(*face, place, seen);
             }
         }
         if !met.iter().any(|met| met.meeting.is_certain) {
@@ -148,16 +154,16 @@ impl<R: Real> Reference<R> {
                 levels: self.background.0,
             });
         }
-        seen
     }
 
-    /// Those of the cuboids that may be visible at pixel (`x`, `y`), in file order.
+    /// Overwrites `met` with those of the cuboids that may be visible at pixel (`x`, `y`), in file order.
     pub(super) fn meet<'a>(
         &self,
         [x, y]: [usize; 2],
         cuboids: &[&'a ReferenceCuboid<R>],
-    ) -> Vec<Met<'a, R>> {
-        let mut met = Vec::new();
+        met: &mut Vec<Met<'a, R>>,
+    ) {
+        met.clear();
         for &cuboid in cuboids {
             if !cuboid.solid.columns.contains(&x) {
                 continue;
@@ -184,7 +190,6 @@ impl<R: Real> Reference<R> {
                 met.push(Met { cuboid, meeting });
             }
         }
-        met
     }
 }
 

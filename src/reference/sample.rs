@@ -71,7 +71,11 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
         light.on.then(|| name.0.clone())
     });
     let names: Vec<String> = lights.into_iter().flatten().collect();
-    let sample = |x: &usize| reference.sample(reference.meet([*x, y], &cuboids).first()?, &names);
+    let mut met = Vec::new();
+    let sample = |x: &usize| {
+        reference.meet([*x, y], &cuboids, &mut met);
+        reference.sample(met.first()?, &names)
+    };
     columns.iter().map(sample).collect()
 }
 

@@ -1,6 +1,6 @@
 //! Spawns a record as a [`World`], and takes a record from a world. The two are inverse.
 
-use hecs::{EntityBuilder, World};
+use hecs::World;
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 use crate::components::{
@@ -82,14 +82,18 @@ impl SceneRecord {
                 rotation: it.rotation,
             };
             let (name, mesh) = (Name(it.name.clone()), Mesh::cuboid(it.size));
-            let own = (name, order, transform, mesh, it.material, it.shading);
-            let derived = <(WorldTransform, Normals, VertexColors, Projected)>::default();
-            world.spawn(
-                EntityBuilder::new()
-                    .add_bundle(own)
-                    .add_bundle(derived)
-                    .build(),
-            );
+            world.spawn((
+                name,
+                order,
+                transform,
+                mesh,
+                it.material,
+                it.shading,
+                WorldTransform::default(),
+                Normals::default(),
+                VertexColors::default(),
+                Projected::default(),
+            ));
         }
         for (order, it) in (0..).map(FileOrder).zip(&self.light) {
             let light = Light {
