@@ -22,11 +22,12 @@ use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
 use crate::reference::{self, Truth};
 use crate::report::Monitor;
+use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
 
-/// The most bytes for a pixel: two reference pictures and the rows of one, a frame with depths, and a list of errors.
-const BYTES: usize = 2 * 28 + 32 + 25 + 8;
+/// The most bytes for a pixel: a reference picture, a frame with depths, and a list of errors.
+const BYTES: usize = 28 + 25 + 8;
 /// The bytes that a report adds: two reference pictures, a map for each method, and FLIP.
 const BYTES_OF_REPORT: usize = 2 * 28 + 4 * METHODS.len() + flip::BYTES_PER_PIXEL;
 
@@ -48,15 +49,7 @@ pub fn errors(
         .context("the methods cannot be compared")?;
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
     let mut scene = request.drawing.scene.snapshot();
-    let mut specular = scene.snapshot();
-    for light in specular.world.query_mut::<&mut Light>() {
-        light.on &= light.kind == LightKind::Specular;
-    }
-    let dark = View {
-        background: DVec3::ZERO,
-        ..view.shaded(ShadingMode::Phong)
-    };
-    let highlight = reference::picture(&specular.world, &dark, 0..view.size[1], monitor)?;
+    let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor)?;
     let own_modes = methods.iter().map(|method| method.mode);
     let own_modes = own_modes.filter(|_| request.is_report);
     let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
@@ -69,10 +62,8 @@ pub fn errors(
     let truths = truths.collect::<anyhow::Result<HashMap<ShadingMode, Truth>>>()?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
     let mut measured = Vec::new();
-    for method in methods {
+    for (method, highlight_kept) in methods.iter().zip(shares_kept) {
         monitor.check()?;
-        systems::draw(&mut specular.world, &method.view(&dark), &mut frame)?;
-        let highlight_kept = share_kept(frame.levels(), &highlight.levels);
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
         let mut difference = compare(drawn, exact);
@@ -101,6 +92,31 @@ pub fn errors(
         (monitor.progress)("comparing pictures", share);
     }
     Ok(measured)
+}
+
+/// The share of the highlight that each method keeps.
+fn highlight_kept(
+    scene: &Scene,
+    view: &View,
+    methods: &[Method],
+    frame: &mut Frame,
+    monitor: Monitor,
+) -> anyhow::Result<Vec<Option<f64>>> {
+    let mut specular = scene.snapshot();
+    for light in specular.world.query_mut::<&mut Light>() {
+        light.on &= light.kind == LightKind::Specular;
+    }
+    let dark = View {
+        background: DVec3::ZERO,
+        ..view.shaded(ShadingMode::Phong)
+    };
+    let highlight = reference::picture(&specular.world, &dark, 0..view.size[1], monitor)?;
+    let share = |method: &Method| {
+        monitor.check()?;
+        systems::draw(&mut specular.world, &method.view(&dark), frame)?;
+        Ok(share_kept(frame.levels(), &highlight.levels))
+    };
+    methods.iter().map(share).collect()
 }
 
 /// The displayed light that both pictures show at the same pixel and channel, as a share of all that `whole` shows, 0..=1;
