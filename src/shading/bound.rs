@@ -106,16 +106,18 @@ pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> f64x4<S> {
     )[2]))
 }
 
-/// The error of the product of two unit vectors in f64: `proofs/side.g`.
-pub(super) const ROUNDING: f64 = 15.0 / (1_u64 << 53) as f64;
-
-/// n.l at the middle; whether n.l > 0 all over the square; and whether n.l <= 0 all over it.
+/// n.l at the middle; whether n.l > 0 all over the square; and whether n.l <= 0 all over it. Both hold for n.l in f32, too:
+/// its error is at most `rounding`, which is far more than that of f64.
 ///
 /// n.l changes by at most the angle that n turns plus the angle that l turns. Each angle is at most asin(radius).
 #[inline(always)]
-pub fn side<S: Simd>(normal: &Field<S>, light: &Field<S>) -> (f64x4<S>, mask64x4<S>, mask64x4<S>) {
+pub fn side<S: Simd>(
+    normal: &Field<S>,
+    light: &Field<S>,
+    rounding: f64x4<S>,
+) -> (f64x4<S>, mask64x4<S>, mask64x4<S>) {
     let cosine = dot(&normal.middle, &light.middle);
-    let most = (normal.radius + light.radius) * ARC + ROUNDING;
+    let most = (normal.radius + light.radius) * ARC + rounding;
     let bounded = normal.is_direction_bounded() & light.is_direction_bounded();
     let [lit, dark] = [cosine.simd_gt(most), cosine.simd_lt(-most)];
     (cosine, bounded & lit, bounded & dark)

@@ -123,7 +123,8 @@ impl Phong<'_> {
         tile.lights.clear();
         for (index, light) in self.lights.iter().enumerate() {
             let to_light = Field::new(&light.towards, places);
-            let (cosine, lit, dark) = bound::side(&normal, &to_light);
+            let roundings = rounding.cosine(&to_light);
+            let (cosine, lit, dark) = bound::side(&normal, &to_light, roundings * U);
             if dark.all_true() {
                 continue;
             }
@@ -131,8 +132,7 @@ impl Phong<'_> {
             let is_bounded = (bounded & budget.simd_gt(0.0)).any_true();
             let (mut shines, mut error, mut doubt) = (none, zero, zero);
             if light.most[0] > 0.0 {
-                let error = rounding.cosine(&to_light);
-                rounding.add(dark.select(zero, diffuse), error);
+                rounding.add(dark.select(zero, diffuse), roundings);
             }
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
@@ -140,10 +140,9 @@ impl Phong<'_> {
                 lost += (shines | dark).select(zero, number(self.gloss.faint));
                 let any_shines = shines.any_true();
                 if any_shines {
-                    let error = self.gloss.propagated(rounding.chord(&to_light)) + POWER_ERROR;
-                    rounding.add(shines.select(specular, zero), error);
-                    let certain = lit | !shines;
-                    doubt = certain.select(zero, rounding.cosine(&to_light) * U);
+                    let chord = self.gloss.propagated(rounding.chord(&to_light));
+                    rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
+                    doubt = (lit | !shines).select(zero, roundings * U);
                 }
                 if is_bounded {
                     let power = bound::power(self.gloss.shininess, reflection[0]);
@@ -205,6 +204,7 @@ impl Phong<'_> {
         }
         Interpolant::new(terms, crossing, crosses, budget)
     }
+
     /// The levels at places on squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
     #[inline(always)]
     pub fn levels<S: Simd>(
