@@ -17,13 +17,13 @@
 //! `Material` and a `ShadingMode`; the viewer has a `Viewer` with the active camera, the projection, the tolerance and the
 //! other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
-//! **A scene is data.** [`scene::SceneRecord`] is the world written down: [`scene::SceneRecord::spawn`] and
-//! [`scene::SceneRecord::of`] are inverse, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
+//! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] and [`scene::SceneRecord::of`] are
+//! inverse to each other, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
 //! saves it into the file's text, comments kept.
-//! [`components::View::of`] is the one place that reads the viewer for a picture: it says from where, how large and how
-//! precisely a frame is to be drawn. Code that measures or proves changes a copy of the view, never the viewer.
+//! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large and how
+//! precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
 //!
-//! **A frame is six stages**, named in order in [`systems::FRAME`]; each is a function of the world, the view and
+//! **A frame runs six systems**, in the order of [`systems::FRAME`]; each is a function of the world, the view and
 //! the frame. `tests/it/systems` tests each alone.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
@@ -36,7 +36,8 @@
 //!    by depth and snapped to 1/256 pixel.
 //! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud.
 //! 6. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
-//!    rule. Squares of 32 x 32 pixels go to a shader, and the display step comes once and last:
+//!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader. The display step
+//!    comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
@@ -45,7 +46,7 @@
 //! use shadetrade::{scene::Scene, systems};
 //!
 //! let mut scene = Scene::load(None)?; // the built-in cuboid
-//! overwrite(&mut scene.world, &ShadingMode::Phong); // of every cuboid
+//! overwrite(&mut scene.world, &ShadingMode::Phong); // of all cuboids
 //! viewer_mut(&mut scene.world).tolerance = 0.5; // levels of 255
 //! let view = View::of(&scene.world, [320, 240]);
 //! let mut frame = Frame::new(Keep::Display, Workers::new(1, fearless_simd::Level::new())?);
@@ -55,10 +56,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # The model, and two ways to spread it
+//! # The model, and three modes
 //!
 //! At a point P with unit normal n, in levels a channel (Phong 1975, "Illumination for Computer Generated Pictures",
-//! Communications of the ACM 18(6)); [`shading::Surface::levels`] is this formula and nothing else:
+//! Communications of the ACM 18(6)); [`shading::Surface::levels`] evaluates this formula at a point:
 //!
 //! ```text
 //! I = sum over ambient lights   kA color intensity gain
@@ -68,13 +69,14 @@
 //! r = 2 (n.l) n - l      l = unit(L - P)      o = unit(O - P)
 //! ```
 //!
-//! Each mode interpolates some quantities over a face. Let w be proportional to 1 / depth. The product of a quantity
-//! and w is affine in the pixel ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). The modes differ in the quantities:
+//! Let w be proportional to 1 / depth. The product of w and a quantity that is linear on the face is affine in the pixel
+//! ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). Two of the modes use this:
 //!
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
-//!   w n, w (L - P) and w (O - P) point where n, L - P and O - P do;
-//! - [`shading::unit_vectors`], the assignment's shortcut, interpolates n, l and o and does not normalise them.
+//!   w n, w (L - P) and w (O - P) have the directions of n, L - P and O - P;
+//! - [`shading::unit_vectors`], the assignment's shortcut, interpolates unit n, l and o linearly on the screen and does
+//!   not normalise them.
 //!
 //! [`probe`] explains one pixel: it evaluates every light's term, and both modes beside the reference.
 //!
@@ -95,17 +97,16 @@
 //! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
 //! derivatives and so the interpolation error. Terms that fit into the rest of the tolerance are dropped
-//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut in four if the bounds
-//! of its quarters may suffice or f32 is too coarse. Otherwise each pixel is evaluated. [`shading::TileKind`] lists the ways, and the
+//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters,
+//! provided that their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the
 //! window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
 //! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
 //!
 //! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At
-//! tolerance 0 the model is evaluated at every pixel; a highlight is left out only if it is proven to stay below 1/80
-//! level. 1 - o.r is computed as
-//! |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
+//! tolerance 0 the model is evaluated at every pixel; highlights are left out only if all of them together are proven to
+//! stay below 1/80 level. 1 - o.r is computed as |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and shares
 //! no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]). [`trade`]
@@ -138,7 +139,7 @@
 //!
 //! [`mod@requires`] encloses two pictures, with and without a part of the model. Their difference bounds the error. It
 //! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn,
-//! and says which of them the tolerance requires. [`reference::Rule`] lists the omissions that no scene file can express.
+//! and says which of them the tolerance requires. [`reference::Rule`] lists the parts that no scene file can leave out.
 //!
 //! # Extreme numbers
 //!
@@ -150,15 +151,14 @@
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`] (the compiler shows the matches), a file
-//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; the conditions on the mode in
+//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; and change the conditions on the mode in
 //!   `systems/rasterization/listing.rs` and [`systems::lighting`];
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
 //!   `gather` in `systems/lighting.rs`, its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
-//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::Measurement`], which JSON shows by
-//!   itself; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
+//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::Measurement`], which JSON has automatically; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
 //! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
@@ -181,7 +181,7 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
-//! takes components and [`frame::NO_TRIANGLE`], never a formula of the renderer's; [`report`] imports no
+//! takes components, [`report::progress`] and [`frame::NO_TRIANGLE`], never a formula of the renderer's; [`report`] imports no
 //! module of this crate; [`cli`] imports what options are converted and checked with; minifb is named in [`window`] alone, and
 //! egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map of [`trade`].
 //!
@@ -189,8 +189,7 @@
 //!
 //! Only what a scene of lit cuboids requires: no textures, no shadows, no interreflection, no attenuation with distance,
 //! no transparency, no antialiasing, no gamma (levels are display-referred, as in the fixed-function pipeline the
-//! assignment comes from), no far plane. A light that is off is not evaluated, and one convex body needs no depth buffer
-//! and gets none.
+//! assignment comes from), no far plane.
 
 pub mod cli;
 pub mod components;

@@ -5,13 +5,13 @@
 //!    |                                                                        +--> error --> required or not
 //!    '--without a part--> reference over intervals --> levels of each pixel --+
 //! ```
-//! One part is left out at a time. The error of a pixel is the largest difference of displayed levels in a channel.
+//! One part is left out at a time. The error of a pixel is the largest difference of displayed levels over the channels.
 //! Both pictures are enclosed in intervals, so the error lies in an interval too. The largest error of the picture is
 //! at least the largest lower end and at most the largest upper end.
 //!
-//! A part is not required if the picture without it is proven to keep the tolerance. Near an edge a pixel may show one
-//! of several surfaces. If the other picture may show the same face there, its nearest colour is compared.
-//! Otherwise every colour that the pixel may have is compared.
+//! A part is not required if the picture without it is proven to keep the tolerance. Near an edge or a tied gate a pixel may
+//! show one of several colours. Both pictures are taken to make the same choice: a colour of one is compared with the nearest
+//! colour of the same face in the other. If the other cannot show that face, it is compared with all of its colours.
 //!
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 
@@ -38,9 +38,7 @@ pub enum Part {
     EveryPixel(usize),
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
-    /// f64. Without the part the reference is evaluated in f32, from the scene's numbers on. The reference subtracts positions
-    /// first. A formula that does not may have a larger error. The bounds of a cuboid on the screen are still computed in
-    /// intervals.
+    /// f64. Without the part the reference is evaluated in f32; only the bounds of a cuboid on the screen stay intervals.
     F64SetUp,
 }
 
@@ -112,7 +110,7 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
 
 impl Change {
     /// Combines changes: the maximum of their errors, the sum of their pixels.
-    pub fn sum(changes: impl IntoIterator<Item = Change>) -> Change {
+    pub fn combined(changes: impl IntoIterator<Item = Change>) -> Change {
         let add = |sum: Change, one: Change| Change {
             largest_error: [0, 1].map(|end| sum.largest_error[end].max(one.largest_error[end])),
             pixels: sum.pixels + one.pixels,
@@ -132,9 +130,7 @@ impl Change {
 }
 
 /// One change for each list of parts. All parts of a list, at most one of them a [`Part::Rule`], are left out together.
-/// Computed on rayon's current threads.
-///
-/// Each cuboid keeps its own shading. The shading of the view is not used.
+/// Computed on rayon's current threads. Each cuboid keeps its own shading, which a part may change.
 ///
 /// # Errors
 /// If the work is cancelled.
@@ -144,10 +140,7 @@ pub fn changes(
     left_out: &[Vec<Part>],
     monitor: Monitor,
 ) -> anyhow::Result<Vec<Change>> {
-    let view = &View {
-        shading: None,
-        ..*view
-    };
+    let view = &view.unshaded();
     let full = rows(Reference::<Interval>::new(&scene.world, view));
     let limit = limit(view.tolerance);
     let height = view.size[1];
@@ -169,7 +162,7 @@ pub fn changes(
             let change = |(picture, parts): (&PixelRows, &Vec<Part>)| {
                 let is_enclosed = is_enclosed(parts);
                 let pixels = full.iter().zip(picture(y));
-                Change::sum(pixels.map(|(full, without)| {
+                Change::combined(pixels.map(|(full, without)| {
                     let largest_error = error(full, &without, is_enclosed);
                     let pixels = u64::from(largest_error[0] > limit);
                     Change {
@@ -184,7 +177,7 @@ pub fn changes(
                 .map(change)
                 .collect::<Vec<Change>>())
         })?;
-        let of_picture = |number: usize| Change::sum(by_row.iter().map(|row| row[number]));
+        let of_picture = |number: usize| Change::combined(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
     }
     Ok(changes)
@@ -227,10 +220,8 @@ pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Ve
     Ok(ranked)
 }
 
-/// Leaves out candidates in turn, each if the picture then still keeps its tolerance and a cuboid remains. Returns the parts
-/// left out and the change of the picture.
-///
-/// Errors of parts add up or cancel, so each candidate is tried together with the parts already left out.
+/// Tries each candidate together with those left out so far, because errors of parts add up or cancel. It stays out if the
+/// picture keeps its tolerance and a cuboid remains. Returns the parts left out and the change of the picture.
 ///
 /// # Errors
 /// If the work is cancelled.

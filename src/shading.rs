@@ -69,8 +69,6 @@ pub(crate) fn limit(tolerance: f64) -> f64 {
 /// How a square was drawn, from the cheapest to the most expensive way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TileKind {
-    /// One colour, certified.
-    Constant,
     /// A colour linear in x and y, certified.
     Linear,
     /// A biquadratic colour, certified.
@@ -85,8 +83,7 @@ pub enum TileKind {
 
 impl TileKind {
     /// All of them, in order.
-    pub const ALL: [TileKind; 6] = [
-        TileKind::Constant,
+    pub const ALL: [TileKind; 5] = [
         TileKind::Linear,
         TileKind::Quadratic,
         TileKind::Terminator,
@@ -96,14 +93,7 @@ impl TileKind {
 
     /// Its name in panels and reports.
     pub const fn name(self) -> &'static str {
-        let names = [
-            "constant",
-            "linear",
-            "quadratic",
-            "terminator",
-            "exact",
-            "exact in f64",
-        ];
+        let names = ["linear", "quadratic", "terminator", "exact", "exact in f64"];
         names[self as usize]
     }
 }

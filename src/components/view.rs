@@ -57,6 +57,14 @@ impl View {
         }
     }
 
+    /// The view in which each cuboid has its own mode.
+    pub fn unshaded(&self) -> View {
+        View {
+            shading: None,
+            ..self.clone()
+        }
+    }
+
     /// The view with another tolerance, in levels.
     pub fn with_tolerance(&self, levels: f64) -> View {
         View {

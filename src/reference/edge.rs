@@ -16,9 +16,9 @@ pub struct EdgeFunction<R> {
     at_centre: R,
     right: R,
     down: R,
-    /// Length of the gradient, per pixel. Nothing is divided by it, because it may be 0: a face parallel to the picture
+    /// The length of the gradient, per pixel. Nothing is divided by it, because it may be 0: a face parallel to the picture
     /// has the same distance from the near plane at every pixel.
-    pixel: R,
+    gradient: R,
 }
 
 impl<R: Real> EdgeFunction<R> {
@@ -28,7 +28,7 @@ impl<R: Real> EdgeFunction<R> {
             at_centre,
             right,
             down,
-            pixel: RealVector([right, down, R::of(0.0)])
+            gradient: RealVector([right, down, R::of(0.0)])
                 .length_squared()
                 .sqrt(),
         }
@@ -39,15 +39,14 @@ impl<R: Real> EdgeFunction<R> {
     /// A centre on the edge belongs to the side on the right, or below if the edge is horizontal.
     pub fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
         let distance = self.at_centre + self.right * R::of(right) + self.down * R::of(down);
-        let is_equal = |sign| sign == Some(Ordering::Equal);
-        let [_, pixel] = self.pixel.endpoints();
-        match distance.sign(margin * pixel)? {
-            Ordering::Greater => Some(true),
-            Ordering::Less => Some(false),
-            Ordering::Equal if is_equal(self.right.sign(0.0)) => {
-                Some(self.down.sign(0.0)? != Ordering::Less)
-            }
-            Ordering::Equal => Some(self.right.sign(0.0)? == Ordering::Greater),
+        let [_, gradient] = self.gradient.endpoints();
+        let order = distance.sign(margin * gradient)?;
+        if order != Ordering::Equal {
+            return Some(order == Ordering::Greater);
+        }
+        match self.right.sign(0.0)? {
+            Ordering::Equal => Some(self.down.sign(0.0)? != Ordering::Less),
+            order => Some(order == Ordering::Greater),
         }
     }
 }

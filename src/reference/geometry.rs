@@ -98,6 +98,11 @@ pub fn across(face: usize) -> (usize, f64) {
     (face / 2, if face.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
+/// A world vector in these axes.
+fn in_axes<R: Real>(axes: &[RealVector<R>; 3], v: RealVector<R>) -> RealVector<R> {
+    RealVector(axes.map(|axis| axis.dot(v)))
+}
+
 /// w: the speed at which the line approaches the plane of a face. The line hits the plane only if it is positive.
 pub fn descent<R: Real>(face: usize, line: &Line<R>) -> R {
     let (axis, outwards) = across(face);
@@ -113,15 +118,17 @@ impl<R: Real> CuboidGeometry<R> {
         [columns, rows]: [Range<usize>; 2],
     ) -> Self {
         let axes = own_axes(transform);
-        let own = |v: RealVector<R>| RealVector(axes.map(|axis| axis.dot(v)));
-        let [right, up, forward] = sight.axes.map(own);
+        let [right, up, forward] = sight.axes.map(|axis| in_axes(&axes, axis));
         let mut solid = CuboidGeometry {
             axes,
             mesh: *mesh,
             per_edge: mesh.corners[7]
                 .to_array()
                 .map(|half| R::of(0.5) / R::of(half)),
-            eye: own(RealVector::exact(sight.eye) - RealVector::exact(transform.position)),
+            eye: in_axes(
+                &axes,
+                RealVector::exact(sight.eye) - RealVector::exact(transform.position),
+            ),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
             projection: sight.projection,
@@ -145,7 +152,7 @@ impl<R: Real> CuboidGeometry<R> {
 
     /// A world vector in the cuboid's axes.
     pub fn own(&self, v: RealVector<R>) -> RealVector<R> {
-        RealVector(self.axes.map(|axis| axis.dot(v)))
+        in_axes(&self.axes, v)
     }
 
     /// o at a point given relative to the eye.
@@ -268,7 +275,7 @@ impl<R: Real> CuboidGeometry<R> {
             places.map(move |place| (number, place))
         };
         let points: Vec<_> = hit.iter().flat_map(beside).collect();
-        // There is a depth unless no face is hit, because `beside` finds a point of each.
+        // `beside` finds a point of each face, so there is a depth if a face is hit.
         let depths = points
             .iter()
             .map(|(_, place)| place.point.dot(self.forward));
@@ -371,14 +378,17 @@ impl<R: Real> CuboidGeometry<R> {
         [a, b, c].map(|weight| weight / (a + b + c))
     }
 
-    /// The weights of unit vectors: those on the screen, where no corner is certainly nearer than the near plane.
+    /// The weights of unit vectors: those on the screen, where no corner is nearer than the near plane.
     pub fn shortcut_weights(&self, corners: [usize; 3], weights: [R; 3]) -> [R; 3] {
-        let is_near =
-            |corner| (self.corner_depth(corner) - self.near).sign(0.0) == Some(Ordering::Less);
-        if corners.into_iter().any(is_near) {
+        let depths = corners.map(|corner| (self.corner_depth(corner) - self.near).sign(0.0));
+        if depths.contains(&Some(Ordering::Less)) {
             return weights;
         }
-        self.weights_on_screen(corners, weights)
+        let on_screen = self.weights_on_screen(corners, weights);
+        if depths.contains(&None) {
+            return RealVector(on_screen).zip(RealVector(weights), R::either).0;
+        }
+        on_screen
     }
 
     /// The depth of a corner along the view direction.

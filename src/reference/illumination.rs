@@ -18,8 +18,8 @@ use super::rule::Rule;
 use crate::components::{Light, LightKind, Material};
 
 /// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per
-/// specular light, by its number modulo [`TIES`]. Lights with the same bit open together, so not every legal picture is
-/// enclosed where more than [`TIES`] lights are tied at one point. Those lights then lie in one plane with the point.
+/// specular light, by its number modulo [`TIES`]. Lights with the same bit open together. Where more than
+/// [`TIES`] lights are tied at one point, not every combination is enclosed, and a legal pixel may be refuted.
 pub type Open = usize;
 
 /// The bits of [`Open`].

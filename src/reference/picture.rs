@@ -177,7 +177,9 @@ impl<R: Real> Reference<R> {
                 if self.without == Some(Rule::DepthTest) {
                     return Some(Ordering::Greater);
                 }
-                (other.meeting.depth * R::of(1.0 - DEPTH_TIE) - meeting.depth).sign(0.0)
+                let [one, two] =
+                    [1.0 - DEPTH_TIE, 1.0 + DEPTH_TIE].map(|it| other.meeting.depth * R::of(it));
+                (one.min(two) - meeting.depth).sign(0.0)
             };
             let is_before = |other: &Met<R>| {
                 other.meeting.is_certain
@@ -218,12 +220,11 @@ impl<R: Real> ReferenceCuboid<R> {
     /// Whether the place may be on the first triangle of its face, on the second, or on both (near the diagonal). Under
     /// perspective-correct Phong the triangles do not differ, and the first stands for both.
     fn triangles(&self, place: &FacePoint<R>) -> &'static [bool] {
+        let differ = self.mode != ShadingMode::Phong || !self.surface.is_perspective_correct();
         match place.is_on_first {
-            None if self.mode != ShadingMode::Phong || !self.surface.is_perspective_correct() => {
-                &[true, false]
-            }
             Some(false) => &[false],
-            _ => &[true],
+            None if differ => &[true, false],
+            Some(true) | None => &[true],
         }
     }
 
@@ -286,6 +287,7 @@ pub fn picture(
     let rows = rows.into_par_iter().zip(levels.zip(triangles));
     let draw = |(y, (levels, triangles)): (_, (&mut [_], &mut [_]))| {
         reference.row(y, |x, seen| {
+            // In floats a pixel shows exactly one surface.
             levels[x] = seen[0].levels;
             triangles[x] = seen[0].triangle.map_or(NO_TRIANGLE, |it| it as u32);
         });

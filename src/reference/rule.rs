@@ -12,8 +12,7 @@ pub enum Rule {
     UnitNormal,
     /// Positions and normals (Phong) or levels (Gouraud) are interpolated on the triangle. Without the rule they are
     /// affine functions of the pixel: the corners' weights a, b, c become a za, b zb, c zc over their sum. A corner
-    /// behind the eye has its value where the line through it and the eye intersects the picture. In orthographic
-    /// projection the rule has no effect.
+    /// behind the eye is projected through the eye. In orthographic projection the rule has no effect.
     PerspectiveCorrect,
     /// The nearest cuboid is visible. Without the rule each cuboid is painted over those before it in the file.
     DepthTest,

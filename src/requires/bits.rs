@@ -142,7 +142,7 @@ struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// The result of an operation of a stage.
+    /// Rounds the result of an operation, if it belongs to the stage that is tried.
     fn one(self, stage: Stage, value: f64) -> f64 {
         if stage == self.stage {
             self.format.round(value)
@@ -232,17 +232,12 @@ impl Trial<'_> {
     }
 }
 
-/// The bits that each stage of the picture requires, computed on rayon's current threads.
-///
-/// Each cuboid keeps its own shading. The shading of the view is not used.
+/// The bits that each stage of the picture requires, computed on rayon's current threads. Each cuboid keeps its own shading.
 ///
 /// # Errors
 /// If the work is cancelled.
 pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<StageBits>> {
-    let view = &View {
-        shading: None,
-        ..*view
-    };
+    let view = &view.unshaded();
     let mut record = SceneRecord::of(&scene.world);
     record.light.retain(|light| light.on);
     let corners = |cuboid: &CuboidRecord| {

@@ -44,7 +44,7 @@ const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its 
     fewest bits of significand, 2 to 24, that keep the tolerance; largest error: with that number of bits, in levels of 255, \
     proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
 
-/// The time spent on the share of each part.
+/// How long the share of each part is measured.
 const TIME: Duration = Duration::from_millis(250);
 
 /// Prints the parts and the bits that a picture requires, and writes a reduced scene to `least_scene`.
@@ -136,6 +136,7 @@ fn table(rows: &[PartRow]) -> String {
 /// An interval as text: a single number if both ends read the same.
 fn error(ends: [f64; 2]) -> String {
     let [least, most] = ends.map(|level| short(Some(level)));
+    // Below 0.001 the lower end is not told.
     if least == most || most == "<0.001" {
         most
     } else {
@@ -143,7 +144,7 @@ fn error(ends: [f64; 2]) -> String {
     }
 }
 
-/// Writes the scene without parts that it does not require together. Only parts that a scene file can leave out are
+/// Writes the scene without as many parts as can be left out together. Only parts that a scene file can leave out are
 /// tried, the part with the least error first.
 fn write_least(
     subject: &str,

@@ -178,10 +178,11 @@ impl<'a> Face<'a> {
     /// component across the face is w times the light's height above the face, which is taken from the nearer of the two
     /// places: an ulp above the face is above it.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
+        // The rays start at the eye, or on the plane through it, so the centre of `from` is 0.
         let (from, d) = (&self.rays.start, &self.rays.direction);
         let (w, h) = (&self.w, &self.height);
         let towards = Affine {
-            centre: (light - from.centre) * w.centre - d.centre * h.centre,
+            centre: light * w.centre - d.centre * h.centre,
             dx: light * w.dx - from.dx * w.centre - d.dx * h.centre - d.centre * h.dx,
             dy: light * w.dy - from.dy * w.centre - d.dy * h.centre - d.centre * h.dy,
         };

@@ -77,6 +77,8 @@ impl TileColors {
 ///   all that over the smallest w     x 2     1/2
 ///   display                            4     two at the size of a level; the byte may be that of the next float
 /// ```
+/// The triangles' w C differ by |`before`| times a constant, and `before` reaches its largest size on the square on either side of
+/// the diagonal, so where both are seen they differ by at most twice the largest there.
 const ROUNDING: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {

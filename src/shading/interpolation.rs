@@ -1,14 +1,14 @@
 //! The biquadratic through nine samples, and the cheapest rows for it that keep the tolerance.
 //!
 //! ```text
-//!   f at x, y in {-r, 0, r}, r = sqrt(3) / 2  -->  sum c[j][i] x^i y^j, i, j <= 2  -->  constant, linear or quadratic rows
+//!   f at x, y in {-r, 0, r}, r = sqrt(3) / 2  -->  sum c[j][i] x^i y^j, i, j <= 2  -->  linear or quadratic rows
 //! ```
 //! x and y run from -1 to 1 over the square. Quadratic terms are dropped if the rest of the tolerance allows it: x^2 is
 //! replaced by 1/2, the middle of its range, with an error of at most 1/2 (economization; Lanczos 1938).
 //!
 //! Values are multiples of 1/256 level if at least `FIXED` of the tolerance is left, no channel leaves 0 to 255 and no
 //! terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a frame of bench-close takes
-//! 63 % more time, and without linear rows 70 % more (Phong, tolerance 0.5, one thread).
+//! 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -105,7 +105,7 @@ impl<S: Simd> Interpolant<S> {
         budget: f64x4<S>,
     ) -> Self {
         let zero = f64x4::splat(budget.token(), 0.0);
-        let [mut size, mut error, mut flat_error] = [zero; 3];
+        let [mut size, mut error] = [zero; 2];
         let mut inside = budget.simd_gt(0.0);
         // A maximum may lose a NaN, so finiteness is tested on its own.
         let mut finite = inside;
@@ -129,7 +129,6 @@ impl<S: Simd> Interpolant<S> {
             finite &= all.simd_lt(f64::INFINITY);
             size = size.max(all);
             error = error.max(linear_error);
-            flat_error = flat_error.max(linear + cubic * 0.5 + linear_error);
         }
         let left = budget - size * ROUNDING;
         let fixed = inside & left.simd_gt(FIXED);
@@ -137,17 +136,14 @@ impl<S: Simd> Interpolant<S> {
         let possible = (finite & left.simd_gt(0.0)).to_bitmask();
         let crosses = crosses.to_bitmask();
         let curved = error.simd_gt(allowed).to_bitmask();
-        let sloped = flat_error.simd_gt(allowed).to_bitmask();
         let kinds = four!(|index| {
             let is = |set: u64| set >> index & 1 == 1;
             let kind = if is(crosses) {
                 TileKind::Terminator
             } else if is(curved) {
                 TileKind::Quadratic
-            } else if is(sloped) {
-                TileKind::Linear
             } else {
-                TileKind::Constant
+                TileKind::Linear
             };
             is(possible).then_some(kind)
         });
@@ -159,13 +155,10 @@ impl<S: Simd> Interpolant<S> {
         }
     }
 
-    /// The rows of one of the squares, if it is constant or linear and in multiples of 1/256 level.
+    /// The rows of one of the squares, if it is linear and in multiples of 1/256 level.
     #[inline(always)]
     pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
-        let is_linear = matches!(
-            self.kinds[index],
-            Some(TileKind::Constant | TileKind::Linear)
-        );
+        let is_linear = self.kinds[index] == Some(TileKind::Linear);
         (is_linear && self.fixed >> index & 1 == 1).then(|| {
             Ramp::new(
                 simd,
@@ -197,7 +190,6 @@ impl<S: Simd> Interpolant<S> {
             let middle = c[0][0] + (c[0][2] + c[2][0]) * 0.5 + c[2][2] * 0.25;
             let [right, down] = [c[0][1] + c[2][1] * 0.5, c[1][0] + c[1][2] * 0.5];
             let c = match self.kinds[index] {
-                Some(TileKind::Constant) => [[middle, 0.0, 0.0], [0.0; 3], [0.0; 3]],
                 Some(TileKind::Linear) => [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]],
                 _ => c,
             };

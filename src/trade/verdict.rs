@@ -1,6 +1,7 @@
-//! The trade of a method in a sentence.
+//! Sentences that compare the times and the errors of methods.
 //!
-//! Every word follows from a measured number. Times with overlapping intervals are called the same.
+//! Every word follows from a measured number. Times with overlapping intervals are called alike, or not measurably different
+//! if they are far apart.
 
 use super::measurement::Measurement;
 use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
@@ -52,7 +53,7 @@ fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&
 
 /// The time of `shown` compared with a rival, and its error; `None` if nothing is drawn.
 ///
-/// The rival is Phong within half a level if that saves time, otherwise exact Phong.
+/// The rival is Phong within half a level if that saves time, otherwise exact Phong; but never `shown` itself.
 fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
     let error = format!("off by {} of 255", short(Some(shown.largest_error()?)));
     let name = capital(&method_name(shown.method));

@@ -294,7 +294,7 @@ impl App {
     /// Stops the work about the picture before. If the view is the same, only its method has changed.
     pub(super) fn picture_changed(&mut self, is_same_view: bool) {
         self.works = [None, None];
-        self.facts.are_old(is_same_view);
+        self.facts.outdate(is_same_view);
     }
 
     fn spin_on(&mut self) {

@@ -1,10 +1,11 @@
 //! The facts about the picture, and the work in the background that finds them.
 
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::comparison::Comparison;
@@ -16,7 +17,7 @@ use crate::requires::PartChange;
 use crate::requires::bits::StageBits;
 use crate::trade::Measurement;
 
-/// The value about the picture that was found last.
+/// The last value found, perhaps of an earlier picture.
 #[derive(Debug)]
 pub struct Latest<T> {
     pub value: Option<T>,
@@ -60,8 +61,8 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// The picture is another one; where the view is the same, only its method is.
-    pub fn are_old(&mut self, is_same_view: bool) {
+    /// After a change of the picture. If only its method changed, the trade stays current.
+    pub fn outdate(&mut self, is_same_view: bool) {
         self.section.is_current = false;
         self.comparison.is_current = false;
         self.proof.is_current = false;
@@ -94,15 +95,13 @@ pub enum Question {
 /// When the system gives no threads.
 pub fn pools() -> anyhow::Result<[ThreadPool; 2]> {
     let pool = |threads: usize| {
-        // A panic was reported, and its question stays open.
-        let pool = ThreadPoolBuilder::new().panic_handler(|_| ());
-        let pool = pool.num_threads(threads.max(1)).build();
+        let pool = ThreadPoolBuilder::new().num_threads(threads.max(1)).build();
         pool.context("cannot start the threads that compare and prove")
     };
     Ok([pool(1)?, pool(all_cores() - 1)?])
 }
 
-/// Puts a fact among the others; returns the reason if there is none.
+/// Stores a fact; returns the reason if there is none.
 type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
 
 /// The work on a question. It is cancelled when it is dropped, and ends within a row of the picture or a frame.
@@ -134,10 +133,13 @@ impl Work {
             if is_cancelled() {
                 return;
             }
-            let found = find(Monitor {
+            let monitor = Monitor {
                 is_cancelled: &is_cancelled,
                 progress: &|step, share| *own.progress() = (step, share),
-            });
+            };
+            // A panic was reported, and must not leave the question open for ever.
+            let found = panic::catch_unwind(AssertUnwindSafe(|| find(monitor)));
+            let found = found.unwrap_or_else(|_| Err(anyhow!("a fault of the program")));
             let answer = move |facts: &mut Facts| {
                 let reason = found.as_ref().err().map(|error| format!("{error:#}"));
                 place(facts).finish(found.ok());

@@ -21,7 +21,6 @@ const OUTLINE_WEIGHT: u32 = 232;
 /// The tint of each of [`TileKind::ALL`], 0x00RRGGBB: Okabe and Ito's colours (2008), which people who are colour-blind can
 /// tell apart, from cool and cheap to hot and dear; the dearest is white.
 pub const TINTS: [u32; TileKind::ALL.len()] = [
-    0x0000_72b2,
     0x0056_b4e9,
     0x00f0_e442,
     0x00e6_9f00,

@@ -1,6 +1,7 @@
 //! The questions about the picture that the window asks, and the facts that it shows.
 //!
-//! One question is answered at a time, and a pixel is probed beside it. A question of more worth takes the place of another.
+//! One question is answered at a time, and a pixel is probed at the same time, on its own thread. A question of more worth
+//! cancels another.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -20,15 +21,15 @@ use crate::shading::{METHODS, Method};
 use crate::trade::batch::time_here;
 use crate::trade::{Measurement, Request, measure};
 
-/// The time between two reports of progress: a layout takes time from the frames that are measured.
+/// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
 /// How long the frames of all methods are timed together, at first and once all else is answered.
 const TIMING: Duration = Duration::from_secs(1);
 const LONG_TIMING: Duration = Duration::from_secs(4);
 
 impl App {
-    /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there is
-    /// no background.
+    /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there are
+    /// no threads in the background.
     pub fn ask(&mut self) {
         let viewer = Viewer::clone(&self.viewer());
         let tab = viewer.inspector;
@@ -42,6 +43,7 @@ impl App {
                 Question::Probe,
                 |facts| &mut facts.section,
                 move |scene, view, _| {
+                    // The side of the wipe that the pixel is on.
                     let view = view_at(&viewer, view, pixel[0]);
                     Ok(probe::section(scene, &view, pixel, level)?)
                 },
@@ -141,7 +143,7 @@ impl App {
         }
     }
 
-    /// Takes the answers that were found; whether the window shows something new by them.
+    /// Takes the answers that were found. Returns whether the window has to be drawn again, also for progress.
     pub fn receive(&mut self, now: Duration) -> bool {
         let mut is_new = self.works[1].is_some() && now >= self.next_progress;
         for index in 0..2 {

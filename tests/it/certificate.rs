@@ -123,7 +123,7 @@ fn the_error_of_samples_is_subtracted_from_the_tolerance() {
         let view = view.with_tolerance(roundings * 2.0_f64.powi(-24) * 255.0);
         for (kind, share) in shares(&mut world, &view) {
             assert!(share <= 1.0, "{kind:?}: {share}");
-            assert_eq!(kind == TileKind::Constant, expected, "{kind:?}");
+            assert_eq!(kind == TileKind::Linear, expected, "{kind:?}");
         }
     }
 }

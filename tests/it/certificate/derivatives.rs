@@ -157,7 +157,9 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             cosine,
             cosine_error(&normal, &light).as_array()[0],
         );
-        let range = reflection(&normal, &light, &eye, side(&normal, &light).0);
+        let none = normal.radius * 0.0;
+        let (cosine, ..) = side(&normal, &light, none);
+        let range = reflection(&normal, &light, &eye, cosine);
         if range[1].as_array()[0] <= 0.0 {
             continue;
         }
