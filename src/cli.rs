@@ -118,9 +118,10 @@ Examples:
   shadetrade extremes eye-inside horizon-1e12
   shadetrade extremes --chart -o stability
 
-Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at tolerance
-0 and 0.5. Exit status 1 if an extreme fails. With --chart it sweeps one number of a scene at a time,
-and prints the range in which the reference in f32 and in f64 and this renderer keep 0.05 level.")]
+Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at
+tolerance 0 and 0.5. Exit status 1 if an extreme fails. With --chart it sweeps one number of a scene
+at a time, and prints the range in which the reference in f32 and in f64 and this renderer keep 0.05
+level.")]
     Extremes(ExtremesOptions),
     /// Plays a recording in a window, or draws it into a file
     #[command(after_help = "\

@@ -227,8 +227,12 @@ impl Extreme {
             covered += seen;
         }
         let [exact, half] = worst;
+        let exact = match exact {
+            0.0 => "0".to_owned(),
+            _ => format!("{exact:.0e}"),
+        };
         Ok(format!(
-            "{covered} pixels in {pictures} pictures: {exact:.0e} level at tolerance 0, {half:.2} at 0.5"
+            "{covered} pixels in {pictures} pictures: {exact} level at tolerance 0, {half:.2} at 0.5"
         ))
     }
 

@@ -1,6 +1,5 @@
 //! shadetrade: parses the command line, runs one command and reports its error.
 
-use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -9,9 +8,8 @@ use anyhow::{Context, anyhow};
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
 };
-use shadetrade::window::recording::Log;
-use shadetrade::window::{self, NoDisplay, replay as replaying};
-use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
+use shadetrade::window::{self, NoDisplay, recording, replay as replaying};
+use shadetrade::{extremes, output, pictures, probe, prove, requires, scene, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -130,9 +128,9 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
         window::restart_in_fit_environment()?;
     }
     let name = options.log.to_string_lossy();
-    let log = fs::read(&options.log)
+    let log = scene::read(&options.log, recording::LARGEST)
         .with_context(|| format!("cannot read the recording {name}"))
-        .and_then(|bytes| Log::read(&name, &bytes, options.idle))
+        .and_then(|bytes| recording::Log::read(&name, &bytes, options.idle))
         .map_err(Failure::Usage)?;
     if let Some(line) = log.cut_off {
         output::say(&format!(

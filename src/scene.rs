@@ -27,8 +27,8 @@ pub use self::save::updated;
 pub use crate::components::range;
 use crate::components::{Camera, Light, Name, names, viewer_mut};
 
-/// In bytes: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most. Reading an endless device stops here.
-const LARGEST: u64 = 16 << 20;
+/// In MiB: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most.
+const LARGEST: u64 = 16;
 
 /// The built-in scenes, as name and text. The first is the default.
 pub const BUILT_IN: [(&str, &str); 4] = [
@@ -83,7 +83,7 @@ impl Scene {
             return Scene::parse(name, text);
         }
         let name = path.to_string_lossy();
-        let bytes = read(path).map_err(|cause| {
+        let bytes = read(path, LARGEST).map_err(|cause| {
             let names = BUILT_IN.map(|(name, _)| name).join(", ");
             let hint = match cause.kind() {
                 ErrorKind::NotFound => {
@@ -173,12 +173,16 @@ impl Scene {
 }
 
 /// The bytes of a file. Reading ends for every path, devices and pipes included.
-fn read(path: &Path) -> io::Result<Vec<u8>> {
+/// Reads a file of at most `largest` MiB. An endless device is refused, too.
+///
+/// # Errors
+/// When it is larger or cannot be read.
+pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let file = File::open(path)?;
-    file.take(LARGEST + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LARGEST {
-        let message = "it is larger than 16 MiB";
+    file.take((largest << 20) + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > largest << 20 {
+        let message = format!("it is larger than {largest} MiB");
         return Err(io::Error::new(ErrorKind::FileTooLarge, message));
     }
     Ok(bytes)

@@ -65,7 +65,7 @@ pub struct RenderOptions {
     /// The PNG file; `-` for standard output
     #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
     pub output: Output,
-    /// Draws with the f64 reference instead of the renderer, without use of --tolerance and --simd
+    /// Draws with the f64 reference instead of the renderer, without use of --tolerance, --budget and --simd
     #[arg(long)]
     pub reference: bool,
 }

@@ -3,7 +3,7 @@
 use super::{DrawnPixel, ProbedSurface};
 use crate::components::{LightKind, ShadingMode};
 use crate::reference::LightSample;
-use crate::report::words::short;
+use crate::report::words::{CHANNELS, short};
 use crate::shading::TileKind;
 use crate::trade::metrics::displayed;
 
@@ -13,15 +13,31 @@ const AGREE: f64 = 1.0;
 const OUTSIDE: f64 = 0.1;
 
 impl ProbedSurface {
-    /// The cause of the difference between interpolation and exact Phong in a channel, and its evidence. The interpolation
-    /// is the picture's, or Gouraud's if the picture is Phong's. `None` if the reference sees another face.
-    pub fn cause(&self, channel: usize) -> Option<[String; 2]> {
+    /// The cause of the difference between interpolation and exact Phong, in the channel in which it is largest, and its
+    /// evidence. The interpolation is the picture's, or Gouraud's if the picture is Phong's. `None` if the reference sees
+    /// another face.
+    pub fn cause(&self) -> Option<[String; 2]> {
         let sample = self.sample.as_ref()?;
-        let exact = sample.phong[channel];
-        if self.drawn.mode == ShadingMode::UnitVectors {
-            let [drawn, exact] = [self.drawn.levels[channel], exact].map(level);
+        let has_unit_vectors = self.drawn.mode == ShadingMode::UnitVectors;
+        let interpolated = if has_unit_vectors {
+            self.drawn.levels
+        } else {
+            sample.gouraud.to_array()
+        };
+        let error = |channel: &usize| {
+            (displayed(interpolated[*channel]) - displayed(sample.phong[*channel])).abs()
+        };
+        // Of equal ones, the first.
+        let channel = (0..3)
+            .rev()
+            .max_by(|one, other| error(one).total_cmp(&error(other)))?;
+        if has_unit_vectors {
+            let [drawn, exact] = [interpolated[channel], sample.phong[channel]].map(level);
             return Some([
-                format!("Interpolated unit vectors are too short: {drawn} instead of {exact}."),
+                format!(
+                    "Interpolated unit vectors are too short: {drawn} instead of {exact} in {}.",
+                    CHANNELS[channel]
+                ),
                 format!(
                     "n has length {:.2} here, so n.l and o.r are no cosines.",
                     sample.normal_length
@@ -45,10 +61,9 @@ impl ProbedSurface {
         let evidence = format!(
             "{factor} of {name} is {a:.2}, {b:.2} and {c:.2} at the vertices, and {here:.2} here."
         );
-        let interpolated = sample.gouraud[channel];
-        let error = (displayed(interpolated) - displayed(exact)).abs();
+        let error = error(&channel);
         if error < AGREE {
-            let cause = if (interpolated - exact).abs() < AGREE {
+            let cause = if (sample.gouraud - sample.phong).abs().max_element() < AGREE {
                 "Light changes nearly linearly here"
             } else {
                 "Both are beyond the levels of the display"
@@ -70,7 +85,13 @@ impl ProbedSurface {
             format!("{factor} of {name} {course} a straight line between the vertices")
         };
         let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
-        Some([format!("{cause}: {gouraud} instead of {phong}."), evidence])
+        Some([
+            format!(
+                "{cause}: {gouraud} instead of {phong} in {}.",
+                CHANNELS[channel]
+            ),
+            evidence,
+        ])
     }
 }
 

@@ -12,7 +12,8 @@ use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
 use crate::report::progress::with_bar;
-use crate::systems;
+use crate::report::words::CHANNELS;
+use crate::{shading, systems};
 
 /// The colour of proven pixels beside an edge, 0x00RRGGBB.
 const OUTLINE: u32 = 0x0026_5a78;
@@ -101,13 +102,18 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
         ..
     } = record.proof;
     let subject = drawing.subject();
+    let rounding = if *limit > shading::limit(record.tolerance) {
+        ", half a level of it for the rounding to bytes"
+    } else {
+        ""
+    };
     let mut lines = vec![format!(
         "{subject}\n\
          proven     {proven} of {pixels} pixels\n\
          refuted    {refuted}\n\
          undecided  {undecided}\n\
          outline    {outline} pixels are so near an edge that they may show either side\n\
-         largest error     {worst:.6} levels at most, where {limit} are allowed\n\
+         largest proven    {worst:.6} levels off, where {limit} is allowed{rounding}\n\
          widest enclosure  {widest_enclosure:.1e} levels\n\
          f64 reference     {reference_error:.1e} levels off at most\n\
          time              {:.2} s",
@@ -124,7 +130,7 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
             "pixel {x},{y} is {verdict}, {}: off by {least:.3} to {most:.3} levels",
             face(drawing, example)
         ));
-        let channels = ["red", "green", "blue"].iter().zip(example.drawn);
+        let channels = CHANNELS.iter().zip(example.drawn);
         for ((channel, drawn), [least, largest]) in channels.zip(example.enclosure) {
             lines.push(format!(
                 "  {channel:<5}  drawn {drawn:>11.6}, exact {least:>11.6} to {largest:>11.6}"

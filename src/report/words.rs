@@ -1,5 +1,7 @@
 //! Numbers and nouns as text.
 
+pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
 /// A number with three significant digits or fewer; "-" for one that does not exist.
 pub fn short(value: Option<f64>) -> String {
     match value {

@@ -29,19 +29,21 @@ const _: () = assert!(BATCHES == 8);
 
 /// The text for a terminal: the verdict, the view and the machine, the table, and the meaning of its columns.
 pub fn table(report: &Report) -> String {
-    let paragraphs = [
+    let mut paragraphs = vec![
         wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), &rows(report)),
         wrapped(&legend()),
     ];
+    // There is no verdict where none of its methods was measured.
+    paragraphs.retain(|paragraph| !paragraph.is_empty());
     paragraphs.join("\n\n") + "\n"
 }
 
 /// The same text in Markdown, with the command line.
 pub fn markdown(report: &Report) -> String {
     format!(
-        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}\n",
+        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{} trade.json has the other figures.\n",
         verdict(&report.methods),
         subject(report),
         place(report),
@@ -96,8 +98,7 @@ fn legend() -> String {
          greatest median of a run, each a process of its own; times whose ranges overlap are not told apart. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
          belongs. Best trade: nothing beats it in error and time both. \
-         phong-unit-vectors is evaluated in f64 by its definition: its time is not comparable. trade.json has the other \
-         figures."
+         phong-unit-vectors is evaluated in f64 by its definition: its time is not comparable."
     )
 }
 

@@ -22,6 +22,8 @@ use serde_json::json;
 use crate::drawing::Drawing;
 use crate::scene::{MAX_SIDE, Scene, SceneRecord};
 
+/// In MiB: days of work.
+pub const LARGEST: u64 = 256;
 /// The size of a window whose log does not say it, in pixels.
 const USUAL_SIZE: [usize; 2] = [960, 720];
 /// The latest time of a line: thirty years.

@@ -13,6 +13,7 @@ use crate::drawing::Drawing;
 use crate::memory;
 use crate::output::{Animation, Output, say};
 use crate::report::progress::with_bar;
+use crate::report::words::counted;
 use crate::scene::{Scene, SceneRecord};
 
 /// How long the last frame of an animation is shown.
@@ -119,7 +120,7 @@ pub fn run(
         Output::Stdout.write(hashes)?;
     }
     let written = output.map_or_else(String::new, |it| format!("; wrote {}", it.name()));
-    say(&format!("replayed {count} frames{written}"));
+    say(&format!("replayed {}{written}", counted(count, "frame")));
     Ok(())
 }
 

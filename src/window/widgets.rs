@@ -9,8 +9,6 @@ use glam::DVec3;
 use super::facts::Latest;
 use super::style::{INK, STALE};
 
-pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
-
 /// Three significant digits, or fewer.
 pub fn short(value: f64) -> String {
     crate::report::words::short(Some(value))

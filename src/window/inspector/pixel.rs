@@ -8,10 +8,11 @@ use crate::components::{Material, Name};
 use crate::frame::display_pixel;
 use crate::paint::color;
 use crate::probe::ProbedSurface;
+use crate::report::words::CHANNELS;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
-use crate::window::widgets::{CHANNELS, slider};
+use crate::window::widgets::slider;
 
 const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0 to 1e6."];
 
@@ -41,11 +42,10 @@ impl App {
         let object = &surface.object;
         ui.label(format!("{object}, {}", surface.triangle_label()));
         verdict(ui, surface);
-        let channel = self.channel();
-        for sentence in surface.cause(channel).into_iter().flatten() {
+        for sentence in surface.cause().into_iter().flatten() {
             ui.label(sentence);
         }
-        self.section(ui, x, surface, channel);
+        self.section(ui, x, surface, self.channel());
         let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
         let cuboid = cuboids.iter().find(|(name, _)| name.0 == *object);
         if let Some((_, material)) = cuboid {

@@ -4,10 +4,11 @@ use egui::{Color32, Ui};
 use egui_plot::{Line, LineStyle, Plot, VLine};
 
 use crate::probe::ProbedSurface;
+use crate::report::words::CHANNELS;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
 use crate::window::style::{GOURAUD, PHONG};
-use crate::window::widgets::{CHANNELS, still};
+use crate::window::widgets::still;
 
 /// The broad line of the picture, under the others.
 const DRAWN: Color32 = Color32::from_gray(90);

@@ -53,6 +53,10 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
     let output = run(folder, line);
     assert_eq!(output.status.code(), Some(1));
     assert!(said(&output).contains("are refuted"));
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        text.contains("largest proven") && text.contains("where 1 is allowed, half a level of it")
+    );
 }
 
 #[test]

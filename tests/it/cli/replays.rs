@@ -13,6 +13,14 @@ const LINES: &str = r#"0.500 patch [{"op":"replace","path":"/cuboid/0/shading","
 1.000 size [500,300]
 2.500 patch [{"op":"repl"#;
 
+#[cfg(unix)]
+#[test]
+fn an_endless_recording_is_refused() {
+    let output = run(folder().path(), "replay /dev/zero --hash");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said(&output).contains("larger than 256 MiB"));
+}
+
 #[test]
 fn hashes_are_one_line_per_frame_and_the_same_for_every_level_and_thread_count() {
     let folder = folder();
