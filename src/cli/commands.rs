@@ -217,6 +217,7 @@ pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 /// Refuses a name that ends like another format: pictures are PNG files.
 fn picture_file() -> impl TypedValueParser<Value = Output> {
     OsStringValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
+        _ if path.is_empty() => Err("a file needs a name"),
         Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
         Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
     })
@@ -225,6 +226,7 @@ fn picture_file() -> impl TypedValueParser<Value = Output> {
 /// Refuses standard output, which cannot hold the files of a folder.
 pub(super) fn folder() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| match path.to_str() {
+        Some("") => Err("a folder needs a name"),
         Some("-") => Err("it is a folder, not standard output; ./- is a folder of that name"),
         _ => Ok(PathBuf::from(path)),
     })

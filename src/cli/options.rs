@@ -69,9 +69,16 @@ impl DrawingOptions {
     /// Loads the scene and applies the options to it. The command will write to `output`.
     ///
     /// # Errors
-    /// [`Failure::Usage`] if the scene is wrong or its file is `output`, or if it has no such camera or light.
+    /// [`Failure::Usage`] if the scene is wrong or its file is `output`, or if it has no such camera or light. [`Failure::Work`] if
+    /// `output` is a directory.
     pub fn open(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
         let scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
+        if let Some(Output::File(path)) = output
+            && path.is_dir()
+        {
+            let text = format!("cannot write {}: it is a directory", path.display());
+            return Err(Failure::Work(anyhow!(text)));
+        }
         if let (Some(path), Some(output)) = (&scene.path, output) {
             refuse_to_replace(path, output)?;
         }

@@ -1,9 +1,11 @@
 //! Keys and their actions. An action writes components of the World, or the state of the window alone.
 
 use egui::{Event, Key, Ui};
+use serde_json::json;
 
 use super::app::App;
 use super::keys::{self, Action, EXACT_SIDES, TOLERANCES, gouraud_phong};
+use super::recording::patch;
 use super::tags::choices;
 use crate::components::{
     Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered,
@@ -213,8 +215,9 @@ impl App {
     fn travel(&mut self, found: Option<SceneRecord>, verb: &str) {
         match found {
             Some(record) => {
+                let text = format!("{verb}: {}", difference(&self.state, &record));
                 self.show(&record);
-                self.say(verb);
+                self.say(text);
             }
             None => self.say(format!("nothing to {verb}")),
         }
@@ -243,6 +246,27 @@ impl App {
             self.say("Q quits");
         }
     }
+}
+
+/// The first difference between two states, in words: "light white on".
+fn difference(before: &SceneRecord, after: &SceneRecord) -> String {
+    let patch = patch(before, after).unwrap_or_default();
+    let path = patch.first().map(|change| change.path().to_string());
+    let path = path.unwrap_or_default();
+    let keys: Vec<&str> = path.split('/').skip(1).collect();
+    let name = |record: &SceneRecord| {
+        let [kind, index] = [keys.first()?, keys.get(1)?];
+        let name = json!(record);
+        let name = name.pointer(&format!("/{kind}/{index}/name"))?;
+        name.as_str().map(str::to_owned)
+    };
+    let name = name(before).or_else(|| name(after));
+    let mut words = keys;
+    words.retain(|key| key.parse::<usize>().is_err());
+    if let Some(name) = &name {
+        words.insert(1, name);
+    }
+    words.join(" ")
 }
 
 /// Whether an action goes on while its key is held.

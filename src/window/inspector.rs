@@ -124,11 +124,11 @@ impl App {
             ];
             let [worst, widest] = [proof.worst, proof.widest_enclosure];
             let levels = [
-                (format!("{worst:.6}"), "levels off at most"),
+                (format!("{worst:.6}"), "levels, the largest proven error"),
                 (format!("{widest:.1e}"), "levels, the widest enclosure"),
                 (
                     format!("{:.1e}", proof.reference_error),
-                    "levels off at most in f64",
+                    "levels, the error of the reference in f64",
                 ),
             ];
             let counts = counts.map(|(count, words)| (count.to_string(), words));

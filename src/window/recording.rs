@@ -15,7 +15,7 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow, bail, ensure};
 use fearless_simd::Level;
-use json_patch::Patch;
+use json_patch::{Patch, PatchOperation};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
@@ -223,7 +223,12 @@ fn read_line(
             *state = Some(named.scene.clone());
         }
         (_, None) => bail!(found(name, FIRST)),
-        (Event::Patch(patch), Some(record)) => *record = patched(record, patch)?,
+        (Event::Patch(patch), Some(record)) => {
+            // Copies of copies could fill the memory, and no recording has any.
+            let copies = |change: &PatchOperation| matches!(change, PatchOperation::Copy(_));
+            ensure!(!patch.iter().any(copies), "a patch that copies");
+            *record = patched(record, patch)?;
+        }
         (Event::Size(size), _) => {
             let is_legal = size.iter().all(|side| (1..=MAX_SIDE).contains(side));
             let expected = format!("two numbers from 1 to {MAX_SIDE}");

@@ -40,6 +40,9 @@ impl App {
                 self.zoom(turned.round() as i32);
             }
         }
+        if self.viewer().inspector == Some(Tab::Scene) {
+            self.discs(ui);
+        }
         if self.viewer().show == ViewMode::Wipe {
             if self.turn().is_none() {
                 self.divider(ui);
@@ -51,9 +54,6 @@ impl App {
             let at = self.place_of(pixel);
             self.draw_arrows(ui.painter(), at);
             draw_cross(ui.painter(), at);
-        }
-        if self.viewer().inspector == Some(Tab::Scene) {
-            self.discs(ui);
         }
     }
 

@@ -46,6 +46,7 @@ const FAILURES: &str = r#"
 2  render ./a.toml -o a.toml  ->  is the input itself
 2  prove a.toml -o sub/../a.toml  ->  is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
+1  requires -o sub  ->  sub|directory
 1  render --size 9x9 -o none/  ->  none/|directory
 1  render --size 9x9 -o none/b.png  ->  none/b.png|no folder none
 1  render --size 9x9 -o cuboid/b.png  ->  cuboid/b.png

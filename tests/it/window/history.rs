@@ -105,6 +105,7 @@ fn undo_does_not_change_rotation_and_tab() {
     assert!(before.view.turned > 0);
     window.undo();
     let after = window.record();
+    assert_eq!(window.message(), "undo: light white on");
     assert!(after.light[0].on && !before.light[0].on);
     assert!(after.view.turned >= before.view.turned);
     assert_eq!(after.view.inspector, before.view.inspector);

@@ -237,6 +237,7 @@ nan say "a" ¦ "nan"
 2 patch {} ¦ sequence
 2 patch [{"op":"remove","path":"/light/9"}] ¦ /light/9
 2 patch [{"op":"remove","path":"/camera"}] ¦ `camera`
+2 patch [{"op":"copy","from":"","path":"/light/-"}] ¦ copies
 2 patch [{"op":"replace","path":"/cuboid/0/size/0","value":-4}] ¦ -4
 2 patch [{"op":"replace","path":"/light/0/name","value":"red"}] ¦ red
 "#;
