@@ -114,7 +114,7 @@ mod tests {
         // Sums of these three depend on their order: (1e16 + 1) + 1 is not 1e16 + (1 + 1).
         let light = |kind, intensity| Light {
             kind,
-            color: DVec3::new(1.0, 0.5, 0.0),
+            color: DVec3::new(0.0, 0.5, 1.0),
             intensity,
             gain: 2.0,
             on: true,

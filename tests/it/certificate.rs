@@ -15,7 +15,9 @@ use shadetrade::trade::metrics::pixel_error;
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;
 use crate::support::random_scene::case;
-use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, truth, view, white};
+use crate::support::scene::{
+    at, draw, empty, shine, spawn_cuboid, spawn_light, truth, view, white,
+};
 
 /// The used share of the permitted error at every pixel in which both pictures show the same triangle, with the kind of
 /// its tile.
@@ -159,6 +161,39 @@ fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
                     assert!(share <= 1.0, "{share} at shininess {shininess}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn squares_drawn_together_may_each_have_the_terminator_of_another_light() {
+    // n is (u, v, 1), and 256 pixels lie between u = 0 and u = 1: n.l of (1, 0, -u) is 0 at u.
+    let light = (LightKind::Diffuse, DVec3::new(1e6, 0.0, -0.1e6));
+    let size = DVec3::splat(2.0);
+    let (mut world, mut view) = face(size, DVec3::NEG_Z, 1.0 / 256.0, 1.0, light);
+    let place = DVec3::new(1e6, 0.0, -0.3e6);
+    spawn_light(&mut world, LightKind::Diffuse, DVec3::Z * 200.0, place);
+    view.size = [512, 32];
+    let mut terminators = 0;
+    for (kind, share) in shares(&mut world, &view.with_tolerance(0.5)) {
+        assert!(share <= 1.0, "{kind:?}: {share}");
+        terminators += usize::from(kind == TileKind::Terminator);
+    }
+    assert!(terminators >= 512, "{terminators} pixels");
+}
+
+#[test]
+fn a_highlight_on_a_face_that_fills_a_wide_angle_keeps_its_tolerance() {
+    let light = (LightKind::Specular, DVec3::new(12.0, 3.0, 60.0));
+    let size = DVec3::new(100.0, 100.0, 2.0);
+    let (mut world, mut view) = face(size, DVec3::NEG_Z, 1.0, 3.3, light);
+    view.projection = Projection::Perspective;
+    (view.camera.fov, view.camera.near) = (150.0, Some(1e-3));
+    for step in 0..40 {
+        let height = 0.02 * 1.2_f64.powi(step);
+        view.camera.position = DVec3::Z * (1.0 + height);
+        for (kind, share) in shares(&mut world, &view.with_tolerance(0.5)) {
+            assert!(share <= 1.0, "{kind:?}: {share} at {height}");
         }
     }
 }

@@ -61,7 +61,9 @@ fn light_all(world: &mut World, place: DVec3) {
 /// Asserts that every pixel of a view is proven at both tolerances, and that at least this many show a cuboid.
 fn assert_proven(world: &mut World, view: &View, least: u64) {
     let proofs = prove_at(TOLERANCES, world, view, None, Level::new(), Monitor::NONE);
-    for proof in proofs.expect("a small picture fits") {
+    let proofs = proofs.expect("a small picture fits");
+    assert_eq!(proofs.each_ref().map(|proof| proof.limit), [0.05, 0.5]);
+    for proof in proofs {
         let open = (proof.refuted, proof.undecided);
         assert_eq!(open, (0, 0), "{view:?}: {:?}", proof.examples);
         assert!(proof.covered >= least, "{} pixels", proof.covered);
@@ -111,6 +113,7 @@ fn faces_of_a_few_pixels_are_evaluated_in_f32() {
         let counts = draw(&mut world, &view, Keep::Display).counts();
         assert!(counts.covered_pixels > 30, "{counts:?}");
         assert_eq!(counts.tiles[TileKind::Double as usize], 0, "{view:?}");
+        assert_eq!(counts.tiles.iter().sum::<u64>(), 3, "one a face: {view:?}");
     }
 }
 
@@ -146,11 +149,15 @@ fn the_largest_picture_is_proven_in_samples() {
 }
 
 #[test]
-fn no_power_is_evaluated_for_a_light_that_sends_nothing() {
-    let mut world = one_cuboid();
-    shine(&mut world, LightKind::Specular, 0.0, DVec3::splat(10.0));
-    for view in at_both_tolerances(&views([96, 72], EYE)) {
-        let counts = draw(&mut world, &view, Keep::Levels).counts();
-        assert!(counts.covered_pixels > 1000 && counts.specular_evaluations == 0);
+fn no_power_is_evaluated_for_a_light_that_sends_nothing_or_at_a_pixel_too_little() {
+    for levels in [0.0, 0.01] {
+        let mut world = one_cuboid();
+        shine(&mut world, LightKind::Specular, levels, DVec3::splat(10.0));
+        for view in at_both_tolerances(&views([96, 72], EYE)) {
+            let counts = draw(&mut world, &view, Keep::Levels).counts();
+            // Gouraud evaluates it at the eight vertices, whatever it is worth.
+            let most = if levels > 0.0 { 8 } else { 0 };
+            assert!(counts.covered_pixels > 1000 && counts.specular_evaluations <= most);
+        }
     }
 }

@@ -45,6 +45,25 @@ fn a_face_of_60_x_40_pixels_covers_2400() {
 }
 
 #[test]
+fn no_square_reaches_beyond_the_edges_of_its_face() {
+    // The face of 100 x 80 pixels is moved through all its places among the squares of 32 x 32.
+    for shift in 0..32 {
+        let mut world = World::new();
+        let moved = DVec3::new(1.0, -1.0, 0.0) * f64::from(shift);
+        spawn_cuboid(&mut world, dvec3(100.0, 80.0, 2.0), at(moved), MATERIAL);
+        world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1000.0)));
+        let mut view = ahead(Projection::Orthographic, [200, 160]).with_tolerance(0.5);
+        view.camera.height = 160.0;
+        let frame = scene::draw(&mut world, &view, Keep::Display);
+        for (index, pixel) in frame.pixels().iter().enumerate() {
+            let [x, y] = [index % 200, index / 200].map(|place| place as i32 - shift);
+            let inside = (50..150).contains(&x) && (40..120).contains(&y);
+            assert_eq!(*pixel, if inside { 0x0064_6464 } else { 0 }, "{x}, {y}");
+        }
+    }
+}
+
+#[test]
 fn pixels_are_displayed_levels_up_to_the_last_corner() {
     // A square face covers all of the picture. Its last square is narrower than the SIMD lanes.
     let mut world = World::new();
