@@ -91,8 +91,8 @@ mod tests {
 
     #[test]
     fn the_fast_display_step_is_the_plain_one_on_every_kind_of_float() {
-        // Every 257th of all floats, and all those next to a half.
-        let everywhere = (0..=u32::MAX / 257).map(|step| f32::from_bits(step * 257));
+        // Every 1009th of all floats, and all those next to a half.
+        let everywhere = (0..=u32::MAX / 1009).map(|step| f32::from_bits(step * 1009));
         let halves = (0..=255).flat_map(|level| {
             let half = (level as f32 + 0.5).to_bits();
             (half - 3..=half + 3).map(f32::from_bits)

@@ -15,7 +15,7 @@ use shadetrade::report::Monitor;
 use crate::extremes::is_full;
 
 static CURVES: LazyLock<Vec<ErrorCurve>> = LazyLock::new(|| {
-    let size = if is_full() { SIZE } else { [24, 18] };
+    let size = if is_full() { SIZE } else { [16, 12] };
     measure(size, Level::new(), Monitor::NONE).expect("every value makes a scene")
 });
 

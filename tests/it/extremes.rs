@@ -17,6 +17,11 @@ pub fn is_full() -> bool {
     std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full")
 }
 
+/// Twice these sides in a full run.
+pub fn enlarged(sides: [usize; 2]) -> [usize; 2] {
+    sides.map(|side| if is_full() { 2 * side } else { side })
+}
+
 fn levels() -> Vec<Level> {
     if is_full() {
         simd::NAMES.into_iter().filter_map(simd::named).collect()
@@ -25,16 +30,16 @@ fn levels() -> Vec<Level> {
     }
 }
 
-/// Every extreme; unless it is a full run, in one mode by turns, and in a quarter of the pixels if the
-/// picture has the usual shape. A quarter of the pixels that must show a cuboid suffices then.
+/// Every extreme; unless it is a full run, in one mode by turns, and in a ninth of the pixels if the
+/// picture has the usual shape. A ninth of the pixels that must show a cuboid suffices then.
 fn extremes() -> Vec<Extreme> {
     let mut extremes = table();
     for (number, extreme) in extremes.iter_mut().enumerate().filter(|_| !is_full()) {
         let [width, height] = extreme.size;
         if width * SIZE[1] == height * SIZE[0] {
-            extreme.size = [width / 2, height / 2];
+            extreme.size = [width / 3, height / 3];
         }
-        extreme.least_covered /= 4;
+        extreme.least_covered /= 9;
         if extreme.modes.len() > 1 {
             extreme.modes.remove(number % 2);
         }

@@ -16,6 +16,7 @@ use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
 use crate::cli::keys;
+use crate::extremes::enlarged;
 use crate::support::records;
 use crate::support::scene::view_from;
 
@@ -120,7 +121,7 @@ fn factor_times_strength_is_phongs_term_and_the_factor_follows_from_the_cosines(
 
 #[test]
 fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
-    let mut on_diagonals = 0;
+    let (mut on_diagonals, size) = (0, enlarged([240, 180]));
     for turn in 0..24 {
         let mut scene = Scene::load(None).expect("it is built in");
         for (transform, _) in scene.world.query_mut::<(&mut Transform, &Mesh)>() {
@@ -128,9 +129,9 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
         }
         let view = View {
             tolerance: 0.5,
-            ..view_from(&scene, 0, [240, 180]).shaded(ShadingMode::Phong)
+            ..view_from(&scene, 0, size).shaded(ShadingMode::Phong)
         };
-        let truth = reference::picture(&scene.world, &view, 0..180, Monitor::NONE)
+        let truth = reference::picture(&scene.world, &view, 0..size[1], Monitor::NONE)
             .expect("it is not cancelled");
         let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
@@ -148,7 +149,7 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
                 continue;
             }
             on_diagonals += 1;
-            let place = [pixel % 240, pixel / 240];
+            let place = [pixel % size[0], pixel / size[0]];
             let probe = probe::at(&mut scene, &view, place, Level::new()).expect("a row fits");
             let surface = probe.surface.expect("a face is seen");
             assert_eq!(surface.triangle, own);

@@ -22,6 +22,9 @@ use shadetrade::frame::Keep;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::comparison::Comparison;
+use shadetrade::window::desk::Desk;
+use shadetrade::window::file::SceneFile;
+use shadetrade::window::history::History;
 use tempfile::TempDir;
 
 use super::support::scene::draw;
@@ -68,6 +71,19 @@ impl Window {
             output,
             folder,
         }
+    }
+
+    /// Shows a scene as a new window would, which takes far longer because it draws every letter first.
+    fn reopen(&mut self, scene: Scene) {
+        self.folder = tempfile::tempdir().expect("a temporary folder");
+        self.app.folder = self.folder.path().to_path_buf();
+        self.app.file = SceneFile::of(&scene);
+        self.app.history = History::new(&SceneRecord::of(&scene.world));
+        self.app.scene = scene;
+        self.app.desk = Desk::default();
+        self.app.quits = false;
+        self.modifiers = Modifiers::NONE;
+        self.wait(PAUSE);
     }
 
     fn step(&mut self, events: Vec<Event>) {

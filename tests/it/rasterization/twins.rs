@@ -5,12 +5,14 @@ use proptest::test_runner::{Config, RngSeed};
 use shadetrade::components::Polygon;
 
 use super::counting::{assert_twin, encloses, facing, snapped, spans, turn};
+use crate::support::cases::cases;
 use crate::support::random::Random;
 
 #[test]
 fn two_halves_of_any_quadrilateral_cover_exactly_its_pixels_once() {
     let mut random = Random(1);
-    let (mut covered, mut left) = (0, 100_000);
+    let most = 1000 * cases(30);
+    let (mut covered, mut left) = (0, most);
     while left > 0 {
         // Half of them on a coarse grid, where edges meet pixel centres.
         let unit = [1.0, 128.0][left % 2];
@@ -24,7 +26,7 @@ fn two_halves_of_any_quadrilateral_cover_exactly_its_pixels_once() {
             left -= 1;
         }
     }
-    assert!(covered > 500_000, "{covered} pixels were looked at");
+    assert!(covered > 5 * most as u32, "{covered} pixels were looked at");
 }
 
 #[test]
@@ -32,7 +34,7 @@ fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
     let mut random = Random(3);
     for reach in [1000.0, 1e5, 1e8] {
         let mut covered = 0;
-        for _ in 0..1000 {
+        for _ in 0..10 * cases(30) {
             let [across, down] = [(); 2].map(|()| random.within(-reach, reach) as i64);
             // The least distance: `down` u - `across` v = 1.
             let (divisor, u, v) = bezout(down, -across);
@@ -53,7 +55,10 @@ fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
                 }
             }
         }
-        assert!(covered > 10_000, "{covered} pixels were looked at");
+        assert!(
+            covered > 100 * cases(30) as u32,
+            "{covered} pixels were looked at"
+        );
     }
 }
 

@@ -12,6 +12,7 @@ use shadetrade::requires::bits::{FORMATS, Format, StageBits, bits};
 use shadetrade::scene::Scene;
 
 use super::{WHITE, cubes, from_z};
+use crate::extremes::enlarged;
 use crate::support::random::Random;
 use crate::support::scene::{at, view_from};
 
@@ -125,7 +126,7 @@ fn a_format_fails_where_its_exponents_end() {
 /// of u away, and the error is at most 0.478. In bf16 it is 77: (8/3 z + 1) u, at most 1.036 levels.
 #[test]
 fn half_a_level_of_the_default_highlight_requires_nine_bits_of_the_power() {
-    let (scene, view) = built_in("cuboid", ShadingMode::Phong, [120, 90]);
+    let (scene, view) = built_in("cuboid", ShadingMode::Phong, enlarged([120, 90]));
     let power = &of(&scene, &view)[4];
     let [f16, bf16, _] = power.formats.each_ref().map(|it| it.largest_error);
     assert!((0.06..=0.1195).contains(&f16), "{power:?}");
@@ -208,7 +209,7 @@ fn a_tolerance_just_below_the_largest_error_requires_more_bits() {
         ("cuboid", ShadingMode::Gouraud),
         ("assignment", ShadingMode::Phong),
     ] {
-        let (scene, view) = built_in(name, mode, [48, 36]);
+        let (scene, view) = built_in(name, mode, enlarged([32, 24]));
         for (index, row) in of(&scene, &view).into_iter().enumerate() {
             let is_kept = row.bits.is_some() && row.largest_error <= 0.5;
             assert!(is_kept, "{name}: {row:?}");

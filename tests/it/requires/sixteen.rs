@@ -6,6 +6,7 @@ use shadetrade::report::Monitor;
 use shadetrade::requires::{Part, changes};
 use shadetrade::scene::Scene;
 
+use crate::extremes::is_full;
 use crate::support::scene::view_from;
 
 const PAGE: &str = include_str!("../../../docs/sixteen-cases.md");
@@ -43,9 +44,10 @@ fn every_answer_of_the_page_is_confirmed() {
     assert_eq!(cases.len(), 16);
     for case in cases {
         let scene = scene(&case);
+        let size = if is_full() { [64, 48] } else { [40, 30] };
         let view = View {
             tolerance: 0.5,
-            ..view_from(&scene, 0, [64, 48])
+            ..view_from(&scene, 0, size)
         };
         let parts = [
             Part::EveryPixel(0),

@@ -49,7 +49,7 @@ pub fn spawn_light(world: &mut World, kind: LightKind, levels: DVec3, position: 
         gain: 2.0,
         on: true,
     };
-    let order = FileOrder(world.query_mut::<&Light>().into_iter().count() as u32);
+    let order = FileOrder(world.len());
     world.spawn((Name(format!("{kind:?}")), order, at(position), light));
 }
 

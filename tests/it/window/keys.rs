@@ -97,8 +97,10 @@ fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
 
 #[test]
 fn every_key_does_what_its_description_says() {
+    let mut window = Window::of(default_scene(), SMALL);
     for (modifiers, key, action) in keys::keys() {
-        let (action, mut window) = (*action, Window::of(default_scene(), SMALL));
+        let action = *action;
+        window.reopen(default_scene());
         prepare(&mut window, action);
         let before = window.record();
         window.modifiers = *modifiers;

@@ -108,6 +108,7 @@ fn lights_of_one_position_have_discs_of_their_own() {
 fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
     for steps in [1, 3, 300] {
         let mut window = with_light_in_sight();
+        window.size = [600, 200];
         window.press(Key::E);
         window.step(Vec::new());
         let (from, by) = (place_of(&window, "near"), vec2(60.0, 40.0));

@@ -15,7 +15,7 @@ use crate::support::window::default_scene;
 /// Events of a storm.
 const EVENTS: usize = 40;
 /// The window's sides are below these. In the small one all questions about the picture are answered.
-const LARGE: [f64; 2] = [1600.0, 1200.0];
+const LARGE: [f64; 2] = [1200.0, 900.0];
 const SMALL: [f64; 2] = [110.0, 80.0];
 
 /// A window under random events, with the record and the name of its scene when that was opened.

@@ -8,6 +8,7 @@ use fearless_simd::Level;
 use shadetrade::components::{Light, Projection, Tab, Viewer, names};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
+use shadetrade::window::desk::Desk;
 use shadetrade::window::keys::{Action, BINDINGS};
 
 use super::{PAUSE, Window};
@@ -82,29 +83,40 @@ fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 #[test]
 fn every_button_does_what_its_key_does() {
     let size = [900, 700];
-    let open = || widgets(app(default_scene(), size, Level::new()), size);
-    let (mut count, unchanged) = (0, open());
+    let mut harness = widgets(app(default_scene(), size, Level::new()), size);
+    let start = record(&harness);
+    let mut count = 0;
     for binding in BINDINGS.iter().flat_map(|section| section.1) {
         let (modifiers, key, action) = binding.keys[0];
         // They write files, and act while they are held.
         let is_other = matches!(action, Action::Save | Action::SaveAs | Action::Blink);
-        if places(&unchanged, binding.name).is_empty() || is_other {
+        if places(&harness, binding.name).is_empty() || is_other {
             continue;
         }
-        let mut clicked = open();
-        click(&mut clicked, binding.name);
-        let mut pressed = open();
-        pressed.key_press_modifiers(modifiers, key);
-        pressed.run_ok();
-        let look = |harness: &Harness<App>| {
-            let app = harness.state();
-            (record(harness), app.viewer().turns, app.desk.help)
+        // The state after the click or the key; then everything is as before.
+        let mut look = |clicks: bool| {
+            if clicks {
+                click(&mut harness, binding.name);
+            } else {
+                harness.key_press_modifiers(modifiers, key);
+                harness.run_ok();
+            }
+            let app = harness.state_mut();
+            let state = (
+                SceneRecord::of(&app.scene.world),
+                app.viewer().turns,
+                app.desk.help,
+            );
+            app.viewer_mut().turns = false;
+            app.restore(&start);
+            app.desk = Desk::default();
+            harness.run_ok();
+            state
         };
-        assert_eq!(look(&clicked), look(&pressed), "{}", binding.name);
+        assert_eq!(look(true), look(false), "{}", binding.name);
         count += 1;
     }
     assert!(count > 12, "{count}");
-    let mut harness = open();
     let hold = places(&harness, "blink (hold)")[0];
     harness.drag_at(hold);
     harness.run_ok();
