@@ -216,7 +216,13 @@ fn read_line(
     let (least, most) = (last.as_secs_f64(), MAX_TIME.as_secs());
     let expected = || found(time, &format!("seconds from {least} to {most}"));
     let time = known.with_context(expected)?;
-    let event: Event = serde_json::from_str(&format!("{{{name:?}:{argument}}}"))?;
+    let json = format!("{{{name:?}:{argument}}}");
+    let event: Event = serde_json::from_str(&json).map_err(|error| {
+        // Its place is one of `json`, not of the log.
+        let message = error.to_string();
+        let end = message.rfind(" at line ").unwrap_or(message.len());
+        anyhow!("{}", &message[..end])
+    })?;
     match (&event, &mut *state) {
         (Event::Scene(named), _) => {
             named.scene.check()?;
