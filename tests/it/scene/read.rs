@@ -4,8 +4,7 @@ use std::io::Write as _;
 
 use glam::DVec3;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, Mesh, Name, Normals, ShadingMode, View, Viewer, names,
-    ordered,
+    Camera, Light, LightKind, Material, ShadingMode, View, Viewer, names, ordered,
 };
 use shadetrade::scene::{BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
 
@@ -144,19 +143,6 @@ fn every_built_in_scene_has_the_material_and_the_lights_of_the_first_which_is_th
 }
 
 #[test]
-fn the_bench_scenes_see_the_same_height_in_both_projections() {
-    let [far, close] = ["bench-far", "bench-close"].map(|name| seen_by(&load(Some(name)), 0));
-    assert_eq!(far.position, DVec3::new(7.0, 5.0, 8.0));
-    assert!((close.position - far.position * 0.4).length() < 1e-15);
-    for camera in [far, close] {
-        let seen = (camera.fov, camera.target, camera.up, camera.near());
-        assert_eq!(seen, (40.0, DVec3::ZERO, DVec3::Y, 0.1));
-        let seen = 2.0 * camera.position.length() * 20.0_f64.to_radians().tan();
-        assert!((camera.height - seen).abs() < 1e-4, "{seen}");
-    }
-}
-
-#[test]
 fn the_assignment_s_cuboid_and_cameras_are_where_it_puts_them() {
     let scene = load(Some("assignment"));
     let cuboid = &record(&scene).cuboid[0];
@@ -169,29 +155,6 @@ fn the_assignment_s_cuboid_and_cameras_are_where_it_puts_them() {
     assert_eq!((first.fov, first.height), (126.87, 80.0));
     assert_eq!(second.position, DVec3::new(-15.0, -5.0, 10.0));
     assert_eq!(second.axes()[2], DVec3::X);
-}
-
-#[test]
-fn queries_give_the_cuboids_of_a_file_in_its_order() {
-    let mut record = record(&load(None));
-    let cuboid = record.cuboid.pop().unwrap();
-    record.cuboid = (0..1000)
-        .map(|number| CuboidRecord {
-            name: number.to_string(),
-            ..cuboid.clone()
-        })
-        .collect();
-    let mut scene = Scene::spawn("many".to_owned(), &record);
-    let expected: Vec<&str> = record.cuboid.iter().map(|it| &*it.name).collect();
-    assert_eq!(names::<Mesh>(&scene.world), expected);
-
-    // As in a frame: values change, and no components are added or removed.
-    for (normals, mesh) in scene.world.query_mut::<(&mut Normals, &Mesh)>() {
-        normals.0 = mesh.corners;
-    }
-    let mut query = scene.world.query::<(&Name, &Mesh)>();
-    let queried: Vec<&str> = query.iter().map(|(name, _)| &*name.0).collect();
-    assert_eq!(queried, expected);
 }
 
 #[test]

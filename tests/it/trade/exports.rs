@@ -104,8 +104,6 @@ fn every_method_has_its_error_map_with_a_legend() {
 struct Svg {
     #[serde(default)]
     circle: Vec<Element>,
-    #[serde(default)]
-    polyline: Vec<Element>,
     text: Vec<Element>,
 }
 
@@ -122,8 +120,6 @@ struct Element {
     x: f64,
     #[serde(rename = "@y")]
     y: f64,
-    #[serde(rename = "@points")]
-    points: String,
     #[serde(rename = "$text")]
     text: String,
 }
@@ -185,25 +181,4 @@ fn labels_do_not_overlap_where_points_coincide() {
     assert_eq!(rows.len(), 9);
     let is_free = |rows: &[f64]| rows[1] - rows[0] >= 12.0;
     assert!(rows.windows(2).all(is_free), "{rows:?}");
-}
-
-#[test]
-fn the_front_descends_in_steps_from_the_fastest() {
-    let plot = Svg::of(&report());
-    let corners = |line: &Element| -> Vec<[f64; 2]> {
-        let corner = |pair: &str| {
-            let (x, y) = pair.split_once(',').expect("a pair");
-            [x, y].map(|number| number.parse().expect("a number"))
-        };
-        line.points.split_whitespace().map(corner).collect()
-    };
-    // Two corners for each of three methods, and the end.
-    let mut lines = plot.polyline.iter().map(corners);
-    let front = lines.find(|line| line.len() == 7).expect("the front");
-    for step in front.windows(2) {
-        let [[from_x, from_y], [to_x, to_y]] = [step[0], step[1]];
-        let is_down_right = from_x <= to_x && from_y <= to_y;
-        let is_straight = from_x == to_x || from_y == to_y;
-        assert!(is_down_right && is_straight, "{front:?}");
-    }
 }
