@@ -190,10 +190,9 @@ fn a_highlight_on_a_face_that_fills_a_wide_angle_keeps_its_tolerance() {
     view.projection = Projection::Perspective;
     (view.camera.fov, view.camera.near) = (150.0, Some(1e-3));
     for step in 0..40 {
-        let height = 0.02 * 1.2_f64.powi(step);
-        view.camera.position = DVec3::Z * (1.0 + height);
+        view.camera.position = DVec3::Z * (1.0 + 0.02 * 1.2_f64.powi(step));
         for (kind, share) in shares(&mut world, &view.with_tolerance(0.5)) {
-            assert!(share <= 1.0, "{kind:?}: {share} at {height}");
+            assert!(share <= 1.0, "{kind:?}: {share} at step {step}");
         }
     }
 }
@@ -216,12 +215,8 @@ fn under_many_lights_half_a_level_takes_no_more_squares_than_every_pixel() {
         specular: DVec3::splat(0.7),
         ..white(76.8)
     };
-    spawn_cuboid(
-        &mut world,
-        DVec3::new(4.0, 3.0, 2.0),
-        at(DVec3::ZERO),
-        material,
-    );
+    let size = DVec3::new(4.0, 3.0, 2.0);
+    spawn_cuboid(&mut world, size, at(DVec3::ZERO), material);
     for index in 0..32 {
         let step = f64::from(index);
         let place = DVec3::new(step % 7.0 - 3.0, step % 5.0 + 2.0, step % 11.0 - 1.0) * 1.7;

@@ -27,12 +27,8 @@ fn faint_lights(count: usize) -> (World, View) {
         let place = DVec3::Z * (1000 + i) as f64;
         shine(&mut world, LightKind::Diffuse, 7e-6, place);
     }
-    let view = view(
-        [1, 1],
-        DVec3::Z * 12.0,
-        DVec3::ZERO,
-        Projection::Orthographic,
-    );
+    let eye = DVec3::Z * 12.0;
+    let view = view([1, 1], eye, DVec3::ZERO, Projection::Orthographic);
     (world, view)
 }
 
@@ -98,24 +94,11 @@ pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
     let corner = DVec3::splat(HALF);
     let mut world = empty();
     spawn_cuboid(&mut world, 2.0 * corner, at(DVec3::ZERO), WHITE);
-    shine(
-        &mut world,
-        LightKind::Diffuse,
-        150.0,
-        corner + DVec3::new(-1.0, 2.0, 3.0),
-    );
-    shine(
-        &mut world,
-        LightKind::Specular,
-        200.0,
-        corner + DVec3::new(2.0, -2.0, 4.0),
-    );
-    let view = view(
-        [16, 12],
-        corner + DVec3::new(3.0, 4.0, 5.0),
-        corner,
-        projection,
-    );
+    let [diffuse, specular, eye] = [[-1.0, 2.0, 3.0], [2.0, -2.0, 4.0], [3.0, 4.0, 5.0]]
+        .map(|offset| corner + DVec3::from(offset));
+    shine(&mut world, LightKind::Diffuse, 150.0, diffuse);
+    shine(&mut world, LightKind::Specular, 200.0, specular);
+    let view = view([16, 12], eye, corner, projection);
     (world, view.shaded(mode))
 }
 

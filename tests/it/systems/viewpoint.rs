@@ -74,12 +74,18 @@ fn an_orbit_moves_the_active_camera_around_its_target() {
     for (found, expected) in [lens.eye, x, y, z].into_iter().zip(expected) {
         assert!(found.abs_diff_eq(expected, 1e-14), "{found} {expected}");
     }
-    let nearer = Orbit {
+    let mut nearer = Orbit {
         zoom: 1.0 / 1.21,
         ..Orbit::default()
     };
     let expected = dvec3(0.0, 0.0, 10.0 / 1.21);
     assert!(moved(&scene, nearer).eye.abs_diff_eq(expected, 1e-14));
+    // A degree is left to the pole.
+    nearer.elevation = 170.0;
+    let height = moved(&scene, nearer).eye.y;
+    assert!((height - expected.z * 89_f64.to_radians().sin()).abs() < 1e-14);
+    let seen = View::of(&scene.world, [3, 2]).camera.height;
+    assert_eq!(seen, 20.0 * nearer.zoom);
     // The other camera keeps its own orbit.
     scene.look_from("right").expect("it is there");
     assert_eq!(seen_from(&scene), DVec3::X * 10.0);
