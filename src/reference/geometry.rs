@@ -119,16 +119,14 @@ impl<R: Real> CuboidGeometry<R> {
     ) -> Self {
         let axes = own_axes(transform);
         let [right, up, forward] = sight.axes.map(|axis| in_axes(&axes, axis));
+        let eye = RealVector::exact(sight.eye) - RealVector::exact(transform.position);
         let mut solid = CuboidGeometry {
             axes,
             mesh: *mesh,
             per_edge: mesh.corners[7]
                 .to_array()
                 .map(|half| R::of(0.5) / R::of(half)),
-            eye: in_axes(
-                &axes,
-                RealVector::exact(sight.eye) - RealVector::exact(transform.position),
-            ),
+            eye: in_axes(&axes, eye),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
             projection: sight.projection,
