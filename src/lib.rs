@@ -98,15 +98,16 @@
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
 //! derivatives and so the interpolation error. Terms that fit into the rest of the tolerance are dropped
 //! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters,
-//! provided that their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel. [`shading::TileKind`] lists the ways, and the
-//! window's tiles view shows them.
+//! provided that their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel.
+//! [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
 //! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
 //!
 //! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At
 //! tolerance 0 the model is evaluated at every pixel; highlights are left out only if all of them together are proven to
-//! stay below 1/80 level. 1 - o.r is computed as |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
+//! stay below 1/80 level. 1 - o.r is computed as |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon
+//! 1993; [`shading::specular`]).
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and shares
 //! no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]). [`trade`]
@@ -151,14 +152,15 @@
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`] (the compiler shows the matches), a file
-//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; and change the conditions on the mode in
-//!   `systems/rasterization/listing.rs` and [`systems::lighting`];
+//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; the conditions on the mode
+//!   change in `systems/rasterization/listing.rs` and [`systems::lighting`];
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
 //!   `gather` in `systems/lighting.rs`, its term in [`shading::Surface::levels`] and, written anew, in the reference;
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
-//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::Measurement`], which JSON has automatically; a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
+//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::Measurement`], which JSON has automatically;
+//!   a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
 //! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in

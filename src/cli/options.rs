@@ -76,8 +76,8 @@ impl DrawingOptions {
         if let Some(Output::File(path)) = output
             && path.is_dir()
         {
-            let text = format!("cannot write {}: it is a directory", path.display());
-            return Err(Failure::Work(anyhow!(text)));
+            let path = path.display();
+            return Err(anyhow!("cannot write {path}: it is a directory").into());
         }
         if let (Some(path), Some(output)) = (&scene.path, output) {
             refuse_to_replace(path, output)?;

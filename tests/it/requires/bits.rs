@@ -123,7 +123,7 @@ fn a_format_fails_where_its_exponents_end() {
 /// 76.8 is 76.8125 in f16, a third of u = 2^-11 too large. log2, the product and 2^y err by u each, relative. With
 /// z = |ln s^rho| the power errs by (7/3 z + 1) u of itself, and e^-z (7/3 z + 1) is at most 1.3176, at z = 4/7. The
 /// specular light has 0.72811 * 255 levels, so f16 errs by at most 0.1195 level. With 9 bits 76.8 is 76.75, again a third
-/// of u away, and the error is at most 0.478. In bf16 it is 77: (8/3 z + 1) u, at most 1.036 levels.
+/// of u away, and the error is at most 0.478. In bf16 it is 77: (8/3 z + 1) u, at most 1.035 levels.
 #[test]
 fn half_a_level_of_the_default_highlight_requires_nine_bits_of_the_power() {
     let (scene, view) = built_in("cuboid", ShadingMode::Phong, enlarged([120, 90]));

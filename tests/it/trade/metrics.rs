@@ -184,6 +184,13 @@ fn flip_agrees_with_its_authors_program() {
 }
 
 #[test]
+fn flip_is_symmetric_and_zero_for_equal_pictures() {
+    let [left, right] = [formula(waves), formula(|x, y| waves(y, x))];
+    assert_eq!(flip_of(&left, &right, 67.0), flip_of(&right, &left, 67.0));
+    assert_eq!(flip_of(&left, &left, 67.0), 0.0);
+}
+
+#[test]
 fn flip_averages_where_both_show_one_triangle_and_uses_the_rest_as_surroundings() {
     // Grey against grey with a stripe of black against white, which is excluded from the mean. 16 columns from it FLIP
     // is zero, beside it the blur carries the difference over.

@@ -211,7 +211,7 @@ fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app
         if is_done(app) {
             return output;
         }
-        std::thread::sleep(FRAME);
+        std::thread::yield_now();
     }
 }
 
