@@ -172,7 +172,6 @@ impl Scene {
     }
 }
 
-/// The bytes of a file. Reading ends for every path, devices and pipes included.
 /// Reads a file of at most `largest` MiB. An endless device is refused, too.
 ///
 /// # Errors

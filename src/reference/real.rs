@@ -201,3 +201,30 @@ impl<R: Real> Mul<R> for RealVector<R> {
         RealVector(self.0.map(|x| x * factor))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::interval::Interval;
+    use super::*;
+
+    #[test]
+    fn a_unit_vector_is_as_exact_at_any_length() {
+        for size in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
+            let vector = DVec3::new(2.0, -1.0, 2.0) * size;
+            let float = RealVector::<f64>::exact(vector).unit();
+            let interval = RealVector::<Interval>::exact(vector).unit();
+            for (axis, expected) in [2.0, -1.0, 2.0].map(|it| it / 3.0).into_iter().enumerate() {
+                let ends = interval.0[axis].endpoints();
+                for found in [float.0[axis], ends[0], ends[1]] {
+                    assert!((found - expected).abs() < 1e-15, "{found} at {size}");
+                }
+            }
+        }
+        // Of any direction.
+        let around = Interval::of(-1.0).either(Interval::of(1.0));
+        assert_eq!(
+            RealVector([around; 3]).unit().0.map(Real::endpoints),
+            [[-1.0, 1.0]; 3]
+        );
+    }
+}

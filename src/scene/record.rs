@@ -124,14 +124,11 @@ impl SceneRecord {
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let mut record: SceneRecord = toml::from_str(text)
+        let record: SceneRecord = toml::from_str(text)
             .map_err(|error| (error.span().unwrap_or_default(), error.message().to_owned()))?;
         record
             .check()
             .map_err(|mistake| (mistake.span(text), mistake.to_string()))?;
-        if record.active_camera() == Some(0) {
-            record.view.camera = None;
-        }
         Ok(record)
     }
 }

@@ -229,11 +229,8 @@ impl<'a> Face<'a> {
     /// sight turns towards the plane, w grows and the point moves from infinity to the foot. Snapping may show a pixel whose
     /// line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far end.
     fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
-        let Rays {
-            lens, direction, ..
-        } = self.rays;
         let (place, w) = (self.place.at(x, y), &self.w);
-        let along = direction.at(x, y) * self.height.at(x, y);
+        let along = self.rays.direction.at(x, y) * self.height.at(x, y);
         let [u, v] = self.half_edges.map(|half| {
             let [foot, step] = [-self.middle, along].map(|v| v.dot(half) / half.length_squared());
             // The w of the end that lies ahead.
@@ -241,18 +238,14 @@ impl<'a> Face<'a> {
         });
         let end = f64::max(u.2, v.2);
         let turned = SNAPPING * w.dx.hypot(w.dy);
-        let least = place.z.max(0.0);
-        if lens.projection == Projection::Perspective && end > least && end - place.z <= turned {
+        // Beyond the horizon every place is infinitely far.
+        let least = if place.z > 0.0 { place.z } else { 0.0 };
+        // Never in orthographic projection: w is the same everywhere, so `turned` is 0.
+        if end > least && end - place.z <= turned {
             return [u, v].map(|(foot, step, _)| (foot + step / end).clamp(-1.0, 1.0));
         }
-        // Beyond the horizon every place is infinitely far.
-        let times = if place.z > 0.0 {
-            1.0 / place.z
-        } else {
-            f64::INFINITY
-        };
         let on = |u: f64| if u.is_nan() { 0.0 } else { u.clamp(-1.0, 1.0) };
-        [on(place.x * times), on(place.y * times)]
+        [on(place.x / least), on(place.y / least)]
     }
 
     /// A place on the face, from the eye, in world units.

@@ -83,12 +83,8 @@ impl<'a> UnitVectors<'a> {
         let ([u, v], _) = self.face.place_at(x, y);
         let triangle = usize::from(self.face.across([u, v]) < 0.0);
         let weights = self.weights[triangle] * DVec3::new(u, v, 1.0);
-        let total = weights.element_sum();
-        let weights = if total > 0.0 && total.is_finite() {
-            weights / total
-        } else {
-            DVec3::splat(1.0 / 3.0)
-        };
+        // Weights times depths add up to the depth of the place, which is positive.
+        let weights = weights / weights.element_sum();
         let between = |values: &[DVec3; 4]| {
             let [a, b, c] = CORNERS[triangle].map(|corner| values[corner]);
             a * weights.x + b * weights.y + c * weights.z

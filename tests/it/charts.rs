@@ -44,11 +44,27 @@ fn the_renderer_keeps_its_limit_wherever_f64_can_decide() {
 
 #[test]
 fn values_are_swept_in_even_steps_with_three_or_one_a_decade() {
-    for (number, count) in [("shininess", 28), ("edge length", 195)] {
+    let sweep = |number| {
         let mut sweeps = SWEEPS.iter();
-        let sweep = sweeps.find(|it| it.number == number).expect("it is swept");
-        assert_eq!(sweep.values().len(), count, "{number}");
+        sweeps.find(|it| it.number == number).expect("it is swept")
+    };
+    for (number, count) in [
+        ("shininess", 28),
+        ("distance of the eye", 73),
+        ("edge length", 195),
+    ] {
+        assert_eq!(sweep(number).values().len(), count, "{number}");
     }
+    // Lights follow the cuboid away from the origin.
+    let [near, far] = [1.0, 1e9].map(|value| {
+        let scene = sweep("distance from the origin").scene(value);
+        let scene = scene.expect("it is built in");
+        let centre = scene.cuboid[0].position;
+        let lights = scene.light.into_iter();
+        let places = lights.map(|it| it.position.map(|place| place.distance(centre).round()));
+        places.collect::<Vec<_>>()
+    });
+    assert_eq!(near, far);
 }
 
 /// f32 has 24 bits, and a range from 1e-45 to 3e38.

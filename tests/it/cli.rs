@@ -26,6 +26,14 @@ use tempfile::TempDir;
 /// The text of the default scene.
 const SCENE: &str = include_str!("../../assets/scenes/cuboid.toml");
 
+/// A black cube of one unit, for a scene file.
+fn cube(name: &str, place: [f64; 3]) -> String {
+    format!(
+        "[[cuboid]]\nname = \"{name}\"\nsize = [1.0, 1.0, 1.0]\nposition = {place:?}\nshading = \"phong\"\n\
+         [cuboid.material]\nambient = [0.0, 0.0, 0.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n"
+    )
+}
+
 /// A temporary folder for one test.
 fn folder() -> TempDir {
     tempfile::tempdir().expect("a temporary folder can be made")

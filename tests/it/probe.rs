@@ -76,10 +76,7 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
                 let sum: DVec3 = terms.values().map(triple).sum();
                 assert!((sum - reference).length() < 1e-9, "{mode} at {pixel}");
                 let error = pixel_error(levels.to_array(), reference.to_array());
-                assert!(
-                    error <= allowed,
-                    "{error} at {pixel}, tolerance {tolerance}"
-                );
+                assert!(error <= allowed, "{error} at {pixel}, {tolerance}");
                 let shown = (levels.clamp(DVec3::ZERO, DVec3::splat(255.0)) + 0.5).floor();
                 assert_eq!(triple(&probe[mode]["bytes"]), shown);
             }

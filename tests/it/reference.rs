@@ -5,12 +5,12 @@ use std::sync::Mutex;
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::frame::NO_TRIANGLE;
 use shadetrade::reference::{Sample, in_row, picture};
 use shadetrade::report::Monitor;
 
-use crate::support::scene::{at, empty, shine, spawn_cuboid, truth, view};
+use crate::support::scene::{self, at, empty, placed, shine, spawn_cuboid, truth, view};
 
 /// kA 0.1, kD 1 and kE 0.5 in every channel.
 const MATERIAL: Material = Material {
@@ -30,10 +30,7 @@ fn above(size: [usize; 2], height: f64, projection: Projection) -> View {
 /// A cuboid at the origin, rotated about z.
 fn turned(size: [f64; 3], degrees: f64) -> World {
     let mut world = empty();
-    let transform = Transform {
-        rotation: DVec3::Z * degrees,
-        ..Transform::default()
-    };
+    let transform = scene::turned(DVec3::Z * degrees);
     spawn_cuboid(&mut world, size.into(), transform, MATERIAL);
     world
 }
@@ -119,12 +116,8 @@ fn a_cuboid_a_trillion_times_longer_than_wide_is_as_exact_as_a_cube() {
     for length in [2e6, 2e9, 2e12] {
         let mut world = turned([4.0, length, 2.0], -60.0);
         let point = axis * 16.0 / 11.0 + DVec3::Z;
-        shine(
-            &mut world,
-            LightKind::Diffuse,
-            100.0,
-            point + 2.0 * DVec3::Z,
-        );
+        let above_it = point + 2.0 * DVec3::Z;
+        shine(&mut world, LightKind::Diffuse, 100.0, above_it);
         let mut view = above([11, 11], 5.0, Projection::Perspective);
         view.camera.up = axis;
         let seen = at_pixel(&world, &view, 5, 3).expect("the cuboid");
@@ -152,16 +145,9 @@ fn a_light_exactly_at_the_point_has_no_direction() {
 fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View) {
     let place = |p: [f64; 3]| DVec3::from(p) * scale + offset;
     let mut world = empty();
-    let transform = Transform {
-        position: place([0.0; 3]),
-        rotation: DVec3::new(30.0, 40.0, 50.0),
-    };
-    spawn_cuboid(
-        &mut world,
-        DVec3::new(4.0, 3.0, 2.0) * scale,
-        transform,
-        MATERIAL,
-    );
+    let transform = placed(place([0.0; 3]), [30.0, 40.0, 50.0]);
+    let size = DVec3::new(4.0, 3.0, 2.0) * scale;
+    spawn_cuboid(&mut world, size, transform, MATERIAL);
     let size = DVec3::new(0.5, 8.0, 0.5) * scale;
     spawn_cuboid(&mut world, size, at(place([1.0, 0.0, 2.0])), MATERIAL);
     // Lights at one position share l in the reference; these do not.
@@ -183,10 +169,8 @@ fn mixed_scene(offset: f64, scale: f64, projection: Projection) -> (World, View)
 #[track_caller]
 fn assert_close(found: f64, expected: f64) {
     let error = (found - expected).abs();
-    assert!(
-        error <= 1e-9 * expected.abs().max(1.0),
-        "{found}, not {expected}"
-    );
+    let limit = 1e-9 * expected.abs().max(1.0);
+    assert!(error <= limit, "{found}, not {expected}");
 }
 
 #[test]
@@ -211,12 +195,8 @@ fn a_scene_a_billion_units_away_or_of_another_size_is_the_same_picture() {
                 found == expected || !has_same_bits,
                 "{offset} {scale} {projection:?}"
             );
-            for (found, expected) in found
-                .levels
-                .as_flattened()
-                .iter()
-                .zip(expected.levels.as_flattened())
-            {
+            let found = found.levels.as_flattened().iter();
+            for (found, expected) in found.zip(expected.levels.as_flattened()) {
                 assert_close(*found, *expected);
             }
         }
@@ -271,11 +251,8 @@ fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancel
     assert_eq!(part.triangles, whole.triangles[7 * 40..19 * 40]);
     let mut told = told.into_inner().expect("no thread has panicked");
     told.sort_unstable_by(f64::total_cmp);
-    assert!(
-        told.iter()
-            .zip(1..)
-            .all(|(told, row)| (told - f64::from(row)).abs() < 1e-9)
-    );
+    let mut rows = told.iter().zip(1..);
+    assert!(rows.all(|(told, row)| (told - f64::from(row)).abs() < 1e-9));
     assert_eq!(told.len(), 12);
     let cancelled = Monitor {
         is_cancelled: &|| true,

@@ -18,7 +18,7 @@ use shadetrade::scene::Scene;
 use crate::support::scene::{empty, shine, spawn_cuboid, view};
 
 /// Reflects diffuse light fully, and half of specular light.
-const WHITE: Material = Material {
+pub const WHITE: Material = Material {
     ambient: DVec3::ONE,
     diffuse: DVec3::ONE,
     specular: DVec3::splat(0.5),

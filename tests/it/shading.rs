@@ -16,11 +16,11 @@
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{LightKind, Material, Projection, View};
 use shadetrade::frame::Keep;
 
-use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, truth, view};
+use crate::support::scene::{MODES, at, draw, empty, spawn_cuboid, spawn_light, truth, view};
 
 const MATERIAL: Material = Material {
     ambient: DVec3::new(0.1, 0.2, 0.3),
@@ -31,8 +31,6 @@ const MATERIAL: Material = Material {
 
 /// The levels that every light here sends.
 const SENT: DVec3 = DVec3::new(200.0, 100.0, 40.0);
-
-const MODES: [ShadingMode; 3] = [Gouraud, Phong, UnitVectors];
 
 /// The indices of [`views`].
 const ABOVE: usize = 0;
@@ -80,10 +78,7 @@ fn assert_share(
     let exact = DVec3::from(truth(world, view).levels[pixel]);
     for (found, limit) in [(drawn, 0.02), (exact, 1e-6)] {
         let error = (found - expected).abs().max_element();
-        assert!(
-            error < limit,
-            "{found}, not {expected}, at ({x}, {y}) of {view:?}"
-        );
+        assert!(error < limit, "{found}, not {expected}, at ({x}, {y})");
     }
 }
 
@@ -102,13 +97,11 @@ fn assert_shares((kind, light, shininess): Lamp, view: &View, shares: &[([i32; 2
 
 #[test]
 fn ambient_light_is_equal_everywhere_and_the_rest_is_background() {
-    for (view, mode) in views()
-        .into_iter()
-        .flat_map(|view| MODES.map(|mode| (view.clone(), mode)))
-    {
+    let views = views().map(|view| MODES.map(|mode| view.shaded(mode)));
+    for view in views.as_flattened() {
         let mut world = cube(2.0, 2.0, Ambient, [0.0; 3]);
-        let frame = draw(&mut world, &view.shaded(mode), Keep::Levels);
-        let truth = truth(&world, &view.shaded(mode));
+        let frame = draw(&mut world, view, Keep::Levels);
+        let truth = truth(&world, view);
         for (pixel, (drawn, exact)) in frame.levels().iter().zip(&truth.levels).enumerate() {
             let seen = pixel % 5 < 4 && pixel / 5 < 4;
             let expected = if seen {
@@ -241,23 +234,15 @@ fn levels_or_normals_are_interpolated_as_the_mode_says() {
 
 #[test]
 fn unit_vectors_shorten_n_l_and_o() {
-    let mut above = view(
-        [11, 11],
-        DVec3::Z * 5.0,
-        DVec3::ZERO,
-        Projection::Orthographic,
-    );
+    let (eye, parallel) = (DVec3::Z * 5.0, Projection::Orthographic);
+    let mut above = view([11, 11], eye, DVec3::ZERO, parallel);
     above.camera.height = 10.0;
     // The corners on the diagonal have n = (-+1, -+1, 1) / sqrt(3) and, under a light 1 above the face, l = (+-1, +-1, 1)
     // / sqrt(3): both shrink to (0, 0, 1 / sqrt(3)). n.l = 1 / 3, and r = 2/3 n - l points down.
+    let above = above.shaded(UnitVectors);
     for (kind, share) in [(Diffuse, 1.0 / 3.0), (Specular, 0.0)] {
         let mut world = cube(1.0, 2.0, kind, [0.0, 0.0, 2.0]);
-        assert_share(
-            &mut world,
-            &above.shaded(UnitVectors),
-            [5, 5],
-            (kind, share),
-        );
+        assert_share(&mut world, &above, [5, 5], (kind, share));
     }
     // Half-way down the left edge of face z = 1 n = (-1, 0, 1) / sqrt(3), and the eye 4 above it has o = (0, +-1, 4) /
     // sqrt(17) at the corners, (0, 0, 4 / sqrt(17)) between. A light infinitely far has l = (-1, 0, 1) / sqrt(2), so
@@ -267,10 +252,6 @@ fn unit_vectors_shorten_n_l_and_o() {
     let mut aside = view([11, 11], eye, target, Projection::Perspective);
     aside.camera.fov = 90.0;
     let share = 2.0_f64.sqrt() / 6.0 * 4.0 / 17.0_f64.sqrt();
-    assert_share(
-        &mut world,
-        &aside.shaded(UnitVectors),
-        [5, 5],
-        (Specular, share),
-    );
+    let aside = aside.shaded(UnitVectors);
+    assert_share(&mut world, &aside, [5, 5], (Specular, share));
 }

@@ -22,7 +22,7 @@ use shadetrade::components::{
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 
-use crate::support::scene::{at, view};
+use crate::support::scene::{at, turned, view};
 
 const PROJECTIONS: [Projection; 2] = Projection::ALL;
 
@@ -46,14 +46,6 @@ fn ahead(projection: Projection, size: [usize; 2]) -> View {
     (camera.fov, camera.height, camera.near) = (90.0, 20.0, Some(1.0));
     view.background = DVec3::ZERO;
     view
-}
-
-/// A rotation at the origin, in degrees.
-fn turned(rotation: DVec3) -> Transform {
-    Transform {
-        rotation,
-        ..Transform::default()
-    }
 }
 
 /// The derived placement in the world for `transform`.

@@ -74,6 +74,35 @@ fn the_bounds_of_a_cuboid_hold_every_pixel_that_may_hit_it_and_few_others() {
 }
 
 #[test]
+fn on_an_edge_between_two_visible_faces_the_cuboid_is_certainly_hit() {
+    for projection in Projection::ALL {
+        // On an edge or a corner of faces that are visible; on an edge of the outline.
+        for (target, is_certain) in [
+            ([1.0, 0.0, 1.0], true),
+            ([1.0, 1.0, 1.0], true),
+            ([1.0, 0.0, -1.0], false),
+        ] {
+            let eye = DVec3::new(4.0, 2.0, 5.0);
+            let view = View {
+                size: [3, 3],
+                ..view(eye, target.into(), projection)
+            };
+            let sight = Sight::<Interval>::new(&view, None);
+            let mesh = Mesh::cuboid(DVec3::splat(2.0));
+            let solid = CuboidGeometry::new(&sight, &Transform::default(), &mesh, [0..3, 0..3]);
+            let meeting = solid
+                .meet(&solid.line(&sight, 1, 1))
+                .expect("it may be hit");
+            assert_eq!(meeting.is_certain, is_certain, "{projection:?}, {target:?}");
+            let (face, place) = &meeting.points[0];
+            let (axis, outwards) = across(*face);
+            let ends = [place.point.0[axis], solid.end(axis, outwards)].map(Real::endpoints);
+            assert_eq!(ends[0], ends[1], "the point is on the plane of its face");
+        }
+    }
+}
+
+#[test]
 fn a_face_parallel_to_the_picture_up_to_rounding_is_certainly_hit() {
     for projection in Projection::ALL {
         for degrees in [0.0, 10.0, 30.0, 45.0, 77.0] {

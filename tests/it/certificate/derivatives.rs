@@ -79,7 +79,11 @@ fn vectors(random: &mut Random) -> [Affine; 3] {
     let light = (normal + flat * random.around(0.9)).normalize();
     let mirrored = normal * (2.0 * normal.dot(light)) - light;
     let spread = random.one_of(&[0.3, 1.0]);
-    let eye = (mirrored + flat * random.around(spread)).normalize();
+    let anywhere = (mirrored + flat * random.around(spread)).normalize();
+    // Where o.r just stays positive all over the square.
+    let across = anywhere.reject_from(mirrored).normalize();
+    let grazing = (across + mirrored * random.within(0.0, 10.0 * pace)).normalize();
+    let eye = random.one_of(&[anywhere, anywhere, grazing]);
     [normal, light, eye].map(|centre| {
         let pace = pace * random.one_of(&[0.01, 0.3, 1.0]);
         let [dx, dy] = [(); 2].map(|()| flat * random.around(pace));

@@ -4,7 +4,7 @@ use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 use glam::{DMat3, DVec3};
 use proptest::prelude::*;
-use shadetrade::components::{Illumination, Lens, Projection, WorldTransform};
+use shadetrade::components::{Illumination, Lens, PointLight, Projection, WorldTransform};
 use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Rays};
 use shadetrade::shading::field::Places;
@@ -83,14 +83,15 @@ proptest! {
     fn f32_evaluates_no_square_that_meets_the_end_of_a_sliver_or_in_which_depth_more_than_doubles(
         (cuboid, edges) in cuboid(),
         orthographic in any::<bool>(),
-        yaw in -3.2..3.2_f64,
+        roll in -3.2..3.2_f64,
+        tilt in sized(-9, 0),
         pitch in sized(-4, -1),
         middle in [-400.0..400.0, -400.0..400.0_f64],
         half in [0.5..16.0, 0.5..16.0_f64],
     ) {
-        let (sine, cosine) = yaw.sin_cos();
+        let axes = DMat3::from_rotation_x(-tilt) * DMat3::from_rotation_z(roll);
         let lens = Lens {
-            axes: [DVec3::new(cosine, sine, 0.0), DVec3::new(-sine, cosine, 0.0), DVec3::NEG_Z],
+            axes: [axes.x_axis, axes.y_axis, -axes.z_axis],
             projection: if orthographic { Projection::Orthographic } else { Projection::Perspective },
             near: 1e-3,
             pitch,
@@ -114,20 +115,66 @@ proptest! {
         let (w, (place, _)) = (w(0.0, 0.0), face.place_at(middle[0], middle[1]));
         if !face.is_steady(w) {
             prop_assert!(place.iter().all(|u| u.abs() <= 1.0), "a place on a sliver: {place:?}");
-            if orthographic && w > 0.0 {
+            if orthographic {
                 let seen = face.place.at(middle[0], middle[1]) / w;
                 prop_assert_eq!(place, [seen.x, seen.y].map(|u| u.clamp(-1.0, 1.0)));
             }
         }
 
-        let (material, illumination) = (white(1.0), Illumination::default());
+        // Infinitely far in the direction in which the face mirrors an eye that is so, too.
+        let to_eye = -lens.axes[2];
+        let light = PointLight {
+            position: (2.0 * to_eye.y * DVec3::Y - to_eye) * 1e20,
+            diffuse: DVec3::ZERO,
+            specular: DVec3::splat(100.0),
+        };
+        let (material, illumination) = (white(1e3), Illumination { points: vec![light], ..Illumination::default() });
         let surface = Surface { material: &material, illumination: &illumination, centre: cuboid.position };
         let normals = face.interpolate(&[DVec3::Y; 8], 0);
         let gloss = Gloss::new(&surface, 0.5);
         let mut lights = Vec::new();
         let phong = Phong::new(&face, normals, surface, &gloss, &mut lights, 0.5);
+        if orthographic {
+            let levels = phong.define(middle[0], middle[1]);
+            prop_assert!(levels.abs_diff_eq(DVec3::splat(100.0), 1e-9), "{levels} at {place:?}");
+        }
         let mut tile = TileLights::default();
         phong.prepare(simd, &places, true, &mut tile);
         prop_assert!(tile.in_f32 & 1 == 0 || face.is_steady(least));
+    }
+}
+
+#[test]
+fn beside_a_sliver_a_pixel_shows_its_far_end_if_a_snap_reaches_it() {
+    // The eye is almost in the plane of a face that lies 10 to 30 units ahead, 2 units wide. The far end, where u = -1, is
+    // 1/1024 pixel below the horizon.
+    let lens = Lens {
+        axes: [DVec3::X, DVec3::Y, DVec3::NEG_Z],
+        pitch: 1e-3,
+        ..Lens::default()
+    };
+    let rays = Rays::new(&lens);
+    let right = 50.0 / 3.0;
+    for (aside, [x, y], expected) in [
+        // On the face, at half its depth.
+        (0.0, [right, 2.0], [0.5, 0.25]),
+        // At twice the depth of the far end, and above the horizon.
+        (0.0, [right, 0.5], [-1.0, 0.5]),
+        (0.0, [right, -1.0], [-1.0, 0.5]),
+        (1.5, [0.0, -1.0], [-1.0, -1.0]),
+        // Too far above the horizon: infinitely far away.
+        (0.0, [right, -1024.0], [-1.0, 1.0]),
+        (0.0, [0.0, -1024.0], [-1.0, 0.0]),
+        // Before the near end.
+        (0.0, [right, 4.0], [1.0, 0.125]),
+    ] {
+        let place = WorldTransform {
+            position: DVec3::new(aside, -1.0 - 30e-3 / 1024.0, -20.0),
+            axes: DMat3::IDENTITY,
+        };
+        let face = Face::new(2, &place, DVec3::new(1.0, 1.0, 10.0), &rays);
+        let (found, _) = face.place_at(x, y / 1024.0);
+        let error = [0, 1].map(|axis| (found[axis] - expected[axis]).abs());
+        assert!(error[0].max(error[1]) < 1e-9, "{found:?}, {expected:?}");
     }
 }

@@ -83,23 +83,21 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
 #[test]
 fn render_reports_the_file_the_shaded_pixels_and_the_time_of_a_frame() {
     let folder = folder();
-    let line = "render -o a.png --size 64x48 --threads 3 --simd fallback --lights none";
-    let said = assert_works(folder.path(), line);
-    // The picture is black at the cuboid and shows the scene's background elsewhere.
-    let (_, _, bytes) = decode(&get(folder.path(), "a.png"));
-    let pixels = bytes.chunks_exact(3);
-    let (black, others): (Vec<_>, Vec<_>) = pixels.partition(|pixel| **pixel == [0, 0, 0]);
-    assert!(others.iter().all(|pixel| **pixel == [236, 238, 240]));
-    let shaded = format!(" {} pixels shaded", black.len());
-    for word in [
-        "wrote a.png",
-        "64x48",
-        &shaded,
-        " ms ",
-        "3 threads,",
-        "fallback",
+    for (options, words) in [
+        ("--threads 3 --simd fallback", " ms |3 threads,|fallback"),
+        ("--reference", "in f64| s"),
     ] {
-        assert!(said.contains(word), "{word}: {said}");
+        let line = format!("render -o a.png --size 64x80 --lights none {options}");
+        let said = assert_works(folder.path(), &line);
+        // The picture is black at the cuboid and shows the scene's background elsewhere.
+        let (_, _, bytes) = decode(&get(folder.path(), "a.png"));
+        let pixels = bytes.chunks_exact(3);
+        let (black, others): (Vec<_>, Vec<_>) = pixels.partition(|pixel| **pixel == [0, 0, 0]);
+        assert!(others.iter().all(|pixel| **pixel == [236, 238, 240]));
+        let shaded = format!("wrote a.png: PNG, 64x80, {} pixels shaded", black.len());
+        for word in words.split('|').chain([&*shaded]) {
+            assert!(said.contains(word), "{word}: {said}");
+        }
     }
 }
 

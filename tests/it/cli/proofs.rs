@@ -1,9 +1,9 @@
 //! `prove` and `extremes`: their JSON, their exit status, and pictures of other programs.
 
-use image::{DynamicImage, ImageFormat};
+use image::{DynamicImage, ImageFormat, RgbImage};
 use serde_json::json;
 
-use super::{assert_works, folder, json, keys, run, said};
+use super::{SCENE, assert_works, cube, folder, json, keys, put, run, said};
 
 const SMALL: &str = "--shading phong --tolerance 0";
 
@@ -13,28 +13,35 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
     let folder = folder.path();
     assert_works(folder, &format!("render {SMALL} --size 96x72 -o drawn.png"));
     let drawn = image::open(folder.join("drawn.png")).expect("a PNG");
-    let pictures: [(&str, DynamicImage); 4] = [
-        ("rgb.png", drawn.to_rgb8().into()),
-        ("rgba.png", drawn.to_rgba8().into()),
-        ("grey.png", drawn.to_luma8().into()),
-        ("grey-alpha.png", drawn.to_luma_alpha8().into()),
+    let mut one = drawn.to_rgb8();
+    one.get_pixel_mut(48, 36).0[1] ^= 0x80;
+    // And how many pixels are refuted at least.
+    let pictures: [(&str, DynamicImage, usize); 6] = [
+        ("rgb.png", drawn.to_rgb8().into(), 0),
+        ("rgba.png", drawn.to_rgba8().into(), 0),
+        ("one.png", one.into(), 1),
+        ("grey.png", drawn.to_luma8().into(), 100),
+        ("grey-alpha.png", drawn.to_luma_alpha8().into(), 100),
+        ("wide.png", RgbImage::new(16_384, 1).into(), 16_384),
     ];
-    for (name, picture) in pictures {
+    for (name, picture, refuted) in pictures {
+        let size = [picture.width(), picture.height()];
         let saved = picture.save_with_format(folder.join(name), ImageFormat::Png);
         saved.expect("it is written");
         let line = format!("prove {SMALL} --picture {name} --json -o map.png");
         let (status, proof) = json(folder, &line);
         assert_eq!(
             (&proof["size"], &proof["limit"]),
-            (&json!([96, 72]), &json!(0.55))
+            (&json!(size), &json!(0.55))
         );
-        if name.contains("grey") {
+        if refuted > 0 {
             assert_eq!(status, Some(1));
-            assert!(proof["refuted"].as_u64() > Some(100), "{proof}");
+            assert!(proof["refuted"].as_u64() >= Some(refuted as u64), "{proof}");
             let examples = proof["examples"].as_array().expect("a list");
             let errors = examples.iter().map(|it| it["error"][0].as_f64());
             let errors: Vec<_> = errors.collect();
-            assert!(errors.len() == 10 && errors.is_sorted_by(|a, b| a >= b));
+            assert_eq!(errors.len(), refuted.min(10));
+            assert!(errors.is_sorted_by(|a, b| a >= b));
             let of_example = "pixel verdict drawn enclosure error face";
             assert_eq!(keys(&examples[0]), of_example);
             assert_eq!(examples[0]["verdict"], "refuted");
@@ -42,21 +49,30 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
             assert_eq!((status, &proof["proven"]), (Some(0), &json!(96 * 72)));
         }
         let map = image::open(folder.join("map.png")).expect("a PNG");
-        assert_eq!([map.width(), map.height()], [96, 72]);
-        if !name.contains("grey") {
+        assert_eq!([map.width(), map.height()], size);
+        if refuted == 0 {
             // A proven pixel of the background, (236, 238, 240), is darkened to a half less an eighth.
             assert_eq!(map.to_rgb8().get_pixel(0, 0).0, [89, 90, 90]);
         }
     }
-    // The picture of Gouraud is not that of Phong; as text, too.
-    let line = "prove --shading gouraud --picture drawn.png";
-    let output = run(folder, line);
+    // A cube that is not in the picture, as text.
+    put(
+        folder,
+        "two.toml",
+        format!("{SCENE}\n{}", cube("aside", [-3.0, 1.0, -3.0])),
+    );
+    let output = run(folder, "prove two.toml --picture drawn.png");
     assert_eq!(output.status.code(), Some(1));
     assert!(said(&output).contains("are refuted"));
     let text = String::from_utf8_lossy(&output.stdout);
-    assert!(
-        text.contains("largest proven") && text.contains("where 1 is allowed, half a level of it")
-    );
+    for words in [
+        "perspective, 96x72, scene, tolerance 0.5",
+        "largest proven",
+        "where 1 is allowed, half a level of it",
+        "is refuted, aside, face ",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
 }
 
 #[test]

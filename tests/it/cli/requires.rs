@@ -4,7 +4,7 @@ use serde::Deserialize;
 use shadetrade::components::{Camera, Mesh, names};
 use shadetrade::scene::Scene;
 
-use super::{SCENE, decode, folder, get, json, listing, put, run, said};
+use super::{SCENE, cube, decode, folder, get, json, listing, put, run, said};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -96,10 +96,16 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
 fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() {
     let folder = folder();
     let folder = folder.path();
-    let faint = "[[light]]\nname = \"faint\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = 1.0\n";
-    let hidden = "[[cuboid]]\nname = \"hidden \\u001b\\n\"\nsize = [1.0, 1.0, 1.0]\nshading = \"phong\"\n[cuboid.material]\nambient = [1.0, 1.0, 1.0]\ndiffuse = [0.0, 0.0, 0.0]\nspecular = [0.0, 0.0, 0.0]\nshininess = 1.0\n";
+    // Each may be left out, both together may not.
+    let ambient = |name, intensity| {
+        format!(
+            "[[light]]\nname = \"{name}\"\nkind = \"ambient\"\ncolor = [1.0, 1.0, 1.0]\nintensity = {intensity}\n"
+        )
+    };
+    let faint = ambient("faint", 1.0) + &ambient("dim", 1.2);
+    let hidden = cube("hidden \\u001b\\n", [0.0; 3]);
     put(folder, "full.toml", format!("{SCENE}\n{faint}\n{hidden}"));
-    let view = "full.toml --camera 2 --lights white,ambient,faint --size 24x18";
+    let view = "full.toml --camera 2 --lights white,ambient,faint,dim --size 24x18";
     let output = run(folder, &format!("requires {view} -o least.toml"));
     let said = said(&output);
     assert!(said.starts_with("wrote least.toml: ") && said.contains("cuboid hidden"));
@@ -114,6 +120,8 @@ fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() 
     ];
     let places = rows.map(|row| table.find(&format!("\n{row} ")));
     assert!(places[0].is_some() && places.is_sorted(), "{table}");
+    // Below 0.001 an interval is one number.
+    assert!(!table.contains("to <0.001"), "{table}");
     let is_narrow = table.lines().all(|line| line.chars().count() <= 100);
     assert!(is_narrow, "{table}");
     assert_eq!(listing(folder), ["full.toml", "least.toml"]);
@@ -132,6 +140,7 @@ fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() 
     ] {
         assert!(comments.contains(word), "{word} in {comments}");
     }
+    assert!(!comments.contains("light dim"), "{comments}");
     let least = Scene::parse("least", &text).expect("a scene");
     assert_eq!(names::<Mesh>(&least.world), ["emerald"]);
     assert_eq!(names::<Camera>(&least.world), ["2"]);

@@ -6,7 +6,7 @@ use shadetrade::components::{Material, Mesh, Projection, ShadingMode, Transform,
 use shadetrade::frame::{Keep, NO_TRIANGLE};
 
 use crate::stability::life::{Bits, still_life, views};
-use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, view};
+use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, turned, view};
 
 const MATERIAL: Material = Material {
     ambient: DVec3::splat(0.3),
@@ -71,11 +71,7 @@ fn moving_everything_by_an_integer_changes_no_bit() {
 fn cuboids(all: &[([f64; 3], [f64; 3])]) -> (World, Vec<View>) {
     let mut world = still_life(0);
     for (size, rotation) in all {
-        let transform = Transform {
-            rotation: (*rotation).into(),
-            ..Transform::default()
-        };
-        spawn_cuboid(&mut world, (*size).into(), transform, MATERIAL);
+        spawn_cuboid(&mut world, (*size).into(), turned(*rotation), MATERIAL);
     }
     (world, views([64, 48]))
 }

@@ -58,16 +58,8 @@ fn unit_vectors_are_as_short_as_their_mean() {
     let surface = surface_of(ShadingMode::UnitVectors, [480, 360], |record| {
         record.camera[0].position = DVec3::new(0.0, 0.0, 8.0);
     });
-    assert!(
-        (surface
-            .sample
-            .as_ref()
-            .expect("the same face")
-            .normal_length
-            - 3.0_f64.sqrt().recip())
-        .abs()
-            < 1e-3
-    );
+    let sample = surface.sample.as_ref().expect("the same face");
+    assert!((sample.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
     let [sentence, evidence] = surface.cause().expect("the reference sees the face");
     assert!(sentence.contains("too short") && evidence.contains("0.58"));
 }

@@ -1,21 +1,15 @@
 //! Scenes with levels known on paper, which f32 or coordinates relative to a cuboid's centre get wrong.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::prove::{Shown, Verdict, judge};
 
 use super::{enclosures, proof};
+use crate::requires::WHITE;
 use crate::support::cases::cases;
 use crate::support::random::Random;
-use crate::support::scene::{at, empty, shine, spawn_cuboid, view};
-
-const WHITE: Material = Material {
-    ambient: DVec3::ONE,
-    diffuse: DVec3::ONE,
-    specular: DVec3::splat(0.5),
-    shininess: 20.0,
-};
+use crate::support::scene::{MODES, at, empty, shine, spawn_cuboid, turned, view};
 
 /// One pixel in the middle of a face under an ambient light of 200 levels and `count` diffuse lights of 7e-6 levels,
 /// each straight above the middle.
@@ -64,11 +58,6 @@ fn twenty_thousand_faint_lights_are_summed_within_the_tolerance() {
 /// hundreds of thousands of levels per pixel.
 #[test]
 fn every_pixel_beside_a_diagonal_is_proven() {
-    let modes = [
-        ShadingMode::Gouraud,
-        ShadingMode::Phong,
-        ShadingMode::UnitVectors,
-    ];
     for seed in 0..cases(6) {
         let mut random = Random(seed as u64);
         let mut world = empty();
@@ -79,7 +68,7 @@ fn every_pixel_beside_a_diagonal_is_proven() {
         shine(&mut world, LightKind::Diffuse, 1e5, light);
         for projection in Projection::ALL {
             let view = view([64, 48], eye, DVec3::ZERO, projection);
-            for mode in modes {
+            for mode in MODES {
                 let proof = proof(&mut world, &view.shaded(mode));
                 let unproven = proof.refuted + proof.undecided;
                 assert_eq!(unproven, 0, "{seed}, {mode:?}: {:?}", proof.examples);
@@ -109,6 +98,14 @@ const SHINY: Material = Material {
     shininess: 1.0,
 };
 
+/// A cube of two units with any rotation, and its axes.
+fn any_cube(random: &mut Random) -> (World, DMat3) {
+    let transform = turned(random.around(180.0));
+    let mut world = empty();
+    spawn_cuboid(&mut world, DVec3::splat(2.0), transform, SHINY);
+    (world, transform.axes())
+}
+
 /// The corners of the cube's face z = 1 have n = (±1, ±1, 1) / sqrt(3) and, for a light 2 above its middle, l = (∓1,
 /// ∓1, 2) / sqrt(6), so n.l is 0 at all four on paper. The light is reflected to r = -l, which meets the eye from below
 /// if the gate is open.
@@ -117,15 +114,13 @@ fn corners_of_one_face_may_decide_a_tie_independently() {
     let mut random = Random(3);
     let mut covered = 0;
     for _ in 0..40 {
-        let transform = Transform {
-            position: DVec3::ZERO,
-            rotation: random.around(180.0),
-        };
-        let axes = transform.axes();
-        let mut world = empty();
-        spawn_cuboid(&mut world, DVec3::splat(2.0), transform, SHINY);
-        let light = axes * (3.0 * DVec3::Z);
-        shine(&mut world, LightKind::Specular, 200.0, light);
+        let (mut world, axes) = any_cube(&mut random);
+        shine(
+            &mut world,
+            LightKind::Specular,
+            200.0,
+            axes * (3.0 * DVec3::Z),
+        );
         let eye = axes * DVec3::new(6.0, 1.0, -4.0);
         let view = view([24, 18], eye, DVec3::ZERO, Projection::Perspective);
         let proof = proof(&mut world, &view.shaded(ShadingMode::Gouraud));
@@ -133,4 +128,27 @@ fn corners_of_one_face_may_decide_a_tie_independently() {
         covered += proof.covered;
     }
     assert!(covered > 1000, "{covered} pixels were covered");
+}
+
+/// Four lights in the plane of the face z = 1 lie in two directions from its middle, where the eye sees their highlights if
+/// their gates are open.
+#[test]
+fn lights_in_other_directions_may_decide_a_tie_independently() {
+    let mut random = Random(4);
+    for _ in 0..40 {
+        let (mut world, axes) = any_cube(&mut random);
+        for (levels, x, y) in [
+            (90.0, 3.0, 0.0),
+            (50.0, 0.0, 3.0),
+            (30.0, 0.0, 7.0),
+            (20.0, 3.0, 0.0),
+        ] {
+            let place = axes * DVec3::new(x, y, 1.0);
+            shine(&mut world, LightKind::Specular, levels, place);
+        }
+        let [eye, target] = [[-4.0, -4.0, 6.0], [0.0, 0.0, 1.0]].map(|it| axes * DVec3::from(it));
+        let view = view([1, 1], eye, target, Projection::Perspective);
+        let proof = proof(&mut world, &view.shaded(ShadingMode::Phong));
+        assert_eq!(proof.proven, 1, "{:?}", proof.examples);
+    }
 }

@@ -40,10 +40,7 @@ fn every_pixel_of_random_scenes_is_proven() {
         proven += proof.proven;
     }
     assert!(covered * 10 > proven, "{covered} of {proven} are covered");
-    assert!(
-        outline > 0 && outline * 10 < covered,
-        "{outline} of {covered}"
-    );
+    assert!(0 < outline && outline * 10 < covered, "{outline}");
     assert!(error > 0.0, "f64 rounds");
 }
 
@@ -98,17 +95,10 @@ fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted_or_undefin
         let is_far = distance(&mut world, view.camera.position) > 1e10;
         let is_right = proof.refuted == 0 && (proof.undecided == 0 || is_far);
         assert!(is_right, "{record:?}\n{:?}", proof.examples);
-        let shortcut = draw(
-            &mut world,
-            &view.shaded(ShadingMode::UnitVectors),
-            Keep::Levels,
-        );
-        let is_undefined = shortcut
-            .levels()
-            .as_flattened()
-            .iter()
-            .any(|it| it.is_nan());
-        assert!(!is_undefined, "{record:?}");
+        let view = view.shaded(ShadingMode::UnitVectors);
+        let shortcut = draw(&mut world, &view, Keep::Levels);
+        let mut levels = shortcut.levels().as_flattened().iter();
+        assert!(!levels.any(|it| it.is_nan()), "{record:?}");
         let counts = [proof.proven, proof.covered, proof.undecided];
         sum = [0, 1, 2].map(|i| sum[i] + counts[i]);
     }

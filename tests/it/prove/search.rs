@@ -7,14 +7,14 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::frame::{Keep, face};
 use shadetrade::trade::metrics::pixel_error;
 
 use super::proof;
 use crate::support::cases::cases;
 use crate::support::random::Random;
-use crate::support::scene::{self, empty, shine, spawn_cuboid, spawn_light, truth};
+use crate::support::scene::{self, empty, shine, spawn_cuboid, spawn_light, truth, turned};
 
 const SIZE: [usize; 2] = [48, 36];
 
@@ -54,10 +54,7 @@ fn build(numbers: &Numbers, (tolerance, mode): Asked) -> (World, View) {
         specular: DVec3::new(0.4, 0.7, 1.0),
         shininess: scaled(n(3), [0.5, 2000.0]),
     };
-    let transform = Transform {
-        position: DVec3::ZERO,
-        rotation: DVec3::new(n(4), n(5), n(6)) * 360.0,
-    };
+    let transform = turned(DVec3::new(n(4), n(5), n(6)) * 360.0);
     spawn_cuboid(&mut world, size, transform, material);
     shine(&mut world, LightKind::Ambient, 200.0, DVec3::ZERO);
     let lights = [(LightKind::Diffuse, 7), (LightKind::Specular, 11)];
@@ -96,10 +93,7 @@ fn proven(numbers: &Numbers, asked: Asked) -> f64 {
     let (mut world, view) = build(numbers, asked);
     let proof = proof(&mut world, &view);
     let examples = &proof.examples;
-    assert!(
-        examples.is_empty(),
-        "{asked:?} {numbers:?} is not proven: {examples:?}"
-    );
+    assert!(examples.is_empty(), "{asked:?} {numbers:?}: {examples:?}");
     proof.worst / view.tolerance
 }
 

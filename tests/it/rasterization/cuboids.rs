@@ -1,13 +1,13 @@
 //! Coverage of all faces of a cuboid together.
 
 use glam::DVec3;
-use shadetrade::components::{Lens, Mesh, Projected, Projection, Transform};
+use shadetrade::components::{Lens, Mesh, Projected, Projection};
 use shadetrade::systems::projection::project;
 use shadetrade::systems::spin::world_transform;
 
 use super::counting::count;
 use crate::support::random::Random;
-use crate::support::scene::view;
+use crate::support::scene::{placed, view};
 
 /// The number of polygons that cover each pixel of a picture of a random cuboid of 2 x 3 x 4 units, at about this depth
 /// before the eye.
@@ -15,14 +15,9 @@ fn counts(random: &mut Random, depth: f64, projection: Projection) -> Vec<u32> {
     let mut view = view([48, 48], DVec3::ZERO, DVec3::NEG_Z, projection);
     let camera = &mut view.camera;
     (camera.fov, camera.height, camera.near) = (60.0, 8.0, Some(0.5));
-    let transform = Transform {
-        position: random.around(1.5) + DVec3::NEG_Z * depth,
-        rotation: random.around(180.0),
-    };
-    let (place, mesh) = (
-        world_transform(&transform, 0),
-        Mesh::cuboid(DVec3::new(2.0, 3.0, 4.0)),
-    );
+    let position = random.around(1.5) + DVec3::NEG_Z * depth;
+    let place = world_transform(&placed(position, random.around(180.0)), 0);
+    let mesh = Mesh::cuboid(DVec3::new(2.0, 3.0, 4.0));
     let mut projected = Projected::default();
     project(&place, &mesh, &Lens::new(&view), &mut projected);
     count(&projected.polygons, [48, 48])

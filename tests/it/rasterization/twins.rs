@@ -55,10 +55,7 @@ fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
                 }
             }
         }
-        assert!(
-            covered > 100 * cases(30) as u32,
-            "{covered} pixels were looked at"
-        );
+        assert!(covered > 100 * cases(30) as u32, "{covered} pixels");
     }
 }
 

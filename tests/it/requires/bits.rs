@@ -195,10 +195,8 @@ fn the_errors_of_f32_are_those_of_a_twin() {
         errors = std::array::from_fn(|stage| errors[stage].max((level(stage) - exact).abs()));
     }
     for (row, error) in found.iter().zip(errors) {
-        assert!(
-            (row.formats[2].largest_error - error).abs() < 1e-9,
-            "{error}: {row:?}"
-        );
+        let difference = row.formats[2].largest_error - error;
+        assert!(difference.abs() < 1e-9, "{error}: {row:?}");
         assert!(error > 1e-7, "the stage is rounded: {row:?}");
     }
 }

@@ -10,7 +10,7 @@ use shadetrade::requires::{Change, Part};
 use shadetrade::scene::Scene;
 
 use super::{WHITE, change, cubes, from_z, required, scene_of};
-use crate::support::scene::{at, empty, shine, spawn_cuboid, view};
+use crate::support::scene::{at, empty, placed, shine, spawn_cuboid, turned, view};
 
 /// Asserts that the largest error encloses the known one, narrowly.
 #[track_caller]
@@ -23,13 +23,6 @@ fn assert_error(change: Change, known: f64) {
 /// A cube at the origin.
 fn origin() -> Transform {
     at(DVec3::ZERO)
-}
-
-fn turned(rotation: DVec3) -> Transform {
-    Transform {
-        position: DVec3::ZERO,
-        rotation,
-    }
 }
 
 fn shaded(mode: ShadingMode, mut scene: Scene) -> Scene {
@@ -202,10 +195,7 @@ fn a_scene_that_requires_every_part() {
     view.camera.target = centre;
     view.camera.near = Some(2.0);
     view.camera.fov = 70.0;
-    let places = [0.0, 45.0].map(|degrees| Transform {
-        position: centre,
-        rotation: DVec3::Y * degrees,
-    });
+    let places = [0.0, 45.0].map(|degrees| placed(centre, DVec3::Y * degrees));
     let mut scene = cubes(&places, &lights, &view);
     for material in scene.world.query_mut::<&mut Material>() {
         material.shininess = 2.0;

@@ -4,6 +4,7 @@ use glam::DVec3;
 use shadetrade::components::{LightKind, Projection};
 use shadetrade::report::Monitor;
 use shadetrade::requires::{Part, changes, least, without};
+use shadetrade::scene::{LightRecord, SceneRecord};
 
 use super::{cubes, from_z};
 use crate::support::scene::at;
@@ -36,6 +37,10 @@ fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {
         assert!(change.keeps(0.5), "{change:?}");
         // The remaining parts are those of the full scene minus those left out.
         let remains = without(&scene, &left_out);
+        let lights = SceneRecord::of(&remains.world).light;
+        let is_left =
+            |(index, it): (usize, &LightRecord)| it.on != left_out.contains(&Light(index));
+        assert!(lights.iter().enumerate().all(is_left), "{lights:?}");
         for (scene, left_out, tolerance) in [(&scene, left_out, 0.5), (&remains, vec![], 0.0)] {
             let found = changes(scene, &view, &[left_out], Monitor::NONE);
             assert!(found.expect("nobody cancels it")[0].keeps(tolerance));

@@ -138,6 +138,8 @@ fn a_name_is_unique_within_its_kind() {
     for (added, key) in [(light, "`light.name`"), (camera, "`camera.name`")] {
         assert_complaint(&format!("{LEAST}{added}"), "23:8", &[key]);
     }
+    let other = light.replace("white", "other");
+    assert_complaint(&format!("{LEAST}{other}{light}"), "29:8", &["`light.name`"]);
     let names = [
         (17, "white"),
         (17, "a, b"),

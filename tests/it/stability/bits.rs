@@ -3,12 +3,12 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Projection, ShadingMode, Transform, View};
+use shadetrade::components::{Projection, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
 use super::life::{Bits, still_life, views};
-use crate::support::scene::{at, draw, spawn_cuboid, view, white};
+use crate::support::scene::{draw, placed, spawn_cuboid, view, white};
 
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 
@@ -25,23 +25,12 @@ fn assert_same_with_threads(world: &mut World, views: &[View], keep: Keep, least
     let mut together = [2, 5].map(|threads| frame(keep, threads, Level::new()));
     for view in views {
         let alone = draw(world, view, keep);
-        assert!(
-            alone.counts().covered_pixels > least,
-            "{:?}",
-            alone.counts()
-        );
+        assert!(alone.counts().covered_pixels > least);
         for frame in &mut together {
             systems::draw(world, view, frame).expect("a small picture fits");
             let threads = frame.workers().threads();
-            assert!(
-                Bits::of(frame) == Bits::of(&alone),
-                "{threads} threads, {view:?}"
-            );
-            assert_eq!(
-                frame.counts(),
-                alone.counts(),
-                "{threads} threads, {view:?}"
-            );
+            let drawn = [&*frame, &alone].map(|it| (Bits::of(it), it.counts()));
+            assert!(drawn[0] == drawn[1], "{threads} threads, {view:?}");
         }
     }
 }
@@ -67,10 +56,8 @@ fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
     let mut world = still_life(1);
     for index in 0..26 * 21 {
         let [x, y] = [index % 26, index / 26].map(f64::from);
-        let transform = Transform {
-            rotation: DVec3::splat(7.0 * f64::from(index)),
-            ..at(DVec3::new(x - 12.5, y - 10.0, 3.0))
-        };
+        let rotation = DVec3::splat(7.0 * f64::from(index));
+        let transform = placed([x - 12.5, y - 10.0, 3.0], rotation);
         spawn_cuboid(&mut world, DVec3::splat(0.7), transform, white(20.0));
     }
     let eye = DVec3::new(0.0, 0.0, 30.0);
@@ -112,10 +99,7 @@ fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
                     systems::draw_rows(&mut world, &view, rows.clone(), &mut part)
                         .expect("a small picture fits");
                     let expected = whole.part(96 * rows.start..96 * rows.end);
-                    assert!(
-                        Bits::of(&part) == expected,
-                        "rows {rows:?} of {cuboids}, {view:?}"
-                    );
+                    assert!(Bits::of(&part) == expected, "{rows:?}, {view:?}");
                 }
             }
         }

@@ -3,12 +3,12 @@
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{
-    Material, Polygon, Projected, Projection, ShadingMode, Transform, View,
-};
+use shadetrade::components::{Material, Polygon, Projected, Projection, ShadingMode, View};
 use shadetrade::frame::Keep;
 
-use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, spawn_light, view, white};
+use crate::support::scene::{
+    at, draw, empty, placed, shine, spawn_cuboid, spawn_light, view, white,
+};
 
 /// Asserts that every level of a picture that shows a cuboid is defined.
 fn assert_defined(world: &mut World, view: &View, modes: &[ShadingMode]) {
@@ -64,12 +64,8 @@ fn the_largest_floors_stay_in_the_guard_band() {
     for thickness in [1e-9, 0.5, 1e9] {
         let mut world = empty();
         let place = at(DVec3::new(-10.5, -7e16, 5.0));
-        spawn_cuboid(
-            &mut world,
-            DVec3::new(1e100, 1e100, thickness),
-            place,
-            white(1.0),
-        );
+        let size = DVec3::new(1e100, 1e100, thickness);
+        spawn_cuboid(&mut world, size, place, white(1.0));
         for (eye, target) in [
             (DVec3::new(-3.5, -12.0, 15.0), DVec3::new(0.0, 0.0, 1.4)),
             (DVec3::splat(10.5), DVec3::new(7.4, 7.375, 1.0)),
@@ -99,16 +95,9 @@ fn the_shortcut_is_defined_outside_its_triangles() {
         specular: DVec3::splat(5.0),
         shininess: 1e6,
     };
-    let place = Transform {
-        position: DVec3::new(1.025e-89, 5e-91, -1e10),
-        rotation: DVec3::new(3.161e36, 0.0, 0.0),
-    };
-    spawn_cuboid(
-        &mut world,
-        DVec3::splat(4.831_298_828_125e-90),
-        place,
-        material,
-    );
+    let place = placed([1.025e-89, 5e-91, -1e10], [3.161e36, 0.0, 0.0]);
+    let size = DVec3::splat(4.831_298_828_125e-90);
+    spawn_cuboid(&mut world, size, place, material);
     for (kind, at) in [
         (Specular, [3.5, -1.757_080_078_125, 3.5]),
         (Diffuse, [3.5, 3.5, 1.756_835_937_5]),

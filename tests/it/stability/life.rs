@@ -5,10 +5,10 @@ use std::ops::Range;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{Material, Projection, ShadingMode, Transform, View};
+use shadetrade::components::{Material, Projection, ShadingMode, View};
 use shadetrade::frame::Frame;
 
-use crate::support::scene::{empty, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{MODES, empty, placed, spawn_cuboid, spawn_light, view};
 
 /// The first `count` of the three cuboids, and the lights.
 pub fn still_life(count: usize) -> World {
@@ -24,17 +24,18 @@ pub fn still_life(count: usize) -> World {
         ),
     ];
     for (size, position, rotation, shininess) in cuboids.into_iter().take(count) {
-        let transform = Transform {
-            position: position.into(),
-            rotation: rotation.into(),
-        };
         let material = Material {
             ambient: DVec3::new(0.25, 0.125, 0.5),
             diffuse: DVec3::new(0.75, 0.5, 0.25),
             specular: DVec3::new(0.5, 0.75, 1.0),
             shininess,
         };
-        spawn_cuboid(&mut world, size.into(), transform, material);
+        spawn_cuboid(
+            &mut world,
+            size.into(),
+            placed(position, rotation),
+            material,
+        );
     }
     for (kind, levels, position) in [
         (Ambient, [40.0; 3], [0.0; 3]),
@@ -54,11 +55,7 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
     for projection in Projection::ALL {
         let (eye, target) = (DVec3::new(4.0, 3.0, 9.0), DVec3::new(0.0, 0.125, 0.0));
         let view = view(size, eye, target, projection);
-        for mode in [
-            ShadingMode::Gouraud,
-            ShadingMode::Phong,
-            ShadingMode::UnitVectors,
-        ] {
+        for mode in MODES {
             // Unit vectors have no tolerance.
             let tolerances: &[f64] = match mode {
                 ShadingMode::UnitVectors => &[0.0],

@@ -5,7 +5,7 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{FileOrder, Mesh, ShadingMode, View};
+use shadetrade::components::{FileOrder, Mesh, View};
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use shadetrade::systems;
 
@@ -13,18 +13,12 @@ use super::life::Bits;
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;
 use crate::support::random_scene::case;
-use crate::support::scene::draw;
+use crate::support::scene::{MODES, draw};
 
 /// Random scenes in every mode, exact and within half a level.
 fn scenes() -> impl Iterator<Item = (World, View)> {
-    let modes = [
-        ShadingMode::Gouraud,
-        ShadingMode::Phong,
-        ShadingMode::UnitVectors,
-    ];
-    let all = modes
-        .into_iter()
-        .flat_map(|mode| values(&case(mode), cases(64)).collect::<Vec<_>>());
+    let all = MODES.map(|mode| values(&case(mode), cases(64)).collect::<Vec<_>>());
+    let all = all.into_iter().flatten();
     let tolerances = [0.0, 0.5].into_iter().cycle();
     all.zip(tolerances)
         .map(|(case, tolerance)| case.build([65, 48], tolerance))
@@ -34,10 +28,8 @@ fn scenes() -> impl Iterator<Item = (World, View)> {
 fn the_order_of_cuboids_changes_no_bit() {
     for (mut world, view) in scenes() {
         let first = Bits::of(&draw(&mut world, &view, Keep::Levels));
-        let mut cuboids: Vec<_> = world
-            .query_mut::<(&mut FileOrder, &Mesh)>()
-            .into_iter()
-            .collect();
+        let cuboids = world.query_mut::<(&mut FileOrder, &Mesh)>();
+        let mut cuboids: Vec<_> = cuboids.into_iter().collect();
         let last = cuboids.len() as u32 - 1;
         for (order, _) in &mut cuboids {
             order.0 = last - order.0;

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 use serde_json::Value;
-use shadetrade::components::Transform;
 use shadetrade::scene::SceneRecord;
 
 use super::random::Random;
+use super::scene::turned;
 
 /// The scene with one of its numbers replaced by one of any magnitude. The format refuses illegal numbers.
 pub fn exaggerated(record: &SceneRecord, random: &mut Random) -> SceneRecord {
@@ -58,11 +58,7 @@ pub fn graze(record: &mut SceneRecord, random: &mut Random) {
     let height = random.between(1e-12, 1e3) * random.one_of(&[0.0, 1.0, 1.0, 1.0]);
     let axis = random.below(3);
     cuboid.rotation *= random.one_of(&[0.0, 1.0, 1.0]);
-    let axes = Transform {
-        position: cuboid.position,
-        rotation: cuboid.rotation,
-    }
-    .axes();
+    let axes = turned(cuboid.rotation).axes();
     let mut over = cuboid.size / 2.0 * DVec3::new(0.3, -0.2, 0.34);
     over[axis] = cuboid.size[axis] / 2.0 + height;
     let mut ahead = DVec3::new(0.54, 0.31, -0.84);

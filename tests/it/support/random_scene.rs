@@ -3,13 +3,12 @@
 use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{
-    LightKind, Material, Projection, ShadingMode, Transform, View, Viewer,
-};
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View, Viewer};
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 use super::random::Random;
 use super::records;
+use super::scene::turned;
 
 /// A scene, given by its seed.
 #[derive(Clone, Debug)]
@@ -114,11 +113,7 @@ fn light(
     to_eye: impl Fn(DVec3) -> DVec3,
 ) -> LightRecord {
     use LightKind::{Ambient, Diffuse, Specular};
-    let axes = Transform {
-        position: cuboid.position,
-        rotation: cuboid.rotation,
-    }
-    .axes();
+    let axes = turned(cuboid.rotation).axes();
     let radius = cuboid.size.length() / 2.0;
     let axis = random.below(3);
     let mut on_face = random.around(1.0);

@@ -13,6 +13,12 @@ use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::systems;
 
+pub const MODES: [ShadingMode; 3] = [
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::UnitVectors,
+];
+
 /// An empty world.
 pub fn empty() -> World {
     World::new()
@@ -71,6 +77,17 @@ pub const fn white(shininess: f64) -> Material {
 /// A position without rotation.
 pub fn at(position: DVec3) -> Transform {
     Transform::at(position)
+}
+
+/// A position and a rotation in degrees.
+pub fn placed(position: impl Into<DVec3>, rotation: impl Into<DVec3>) -> Transform {
+    let (position, rotation) = (position.into(), rotation.into());
+    Transform { position, rotation }
+}
+
+/// A rotation at the origin, in degrees.
+pub fn turned(rotation: impl Into<DVec3>) -> Transform {
+    placed(DVec3::ZERO, rotation)
 }
 
 /// A view from `eye` towards `target`, 30 degrees or 6 units high, at tolerance 0.

@@ -1,12 +1,9 @@
 //! All stages together.
 
-use shadetrade::components::{Light, Orbit, ShadingMode, View, overwrite, viewer_mut};
+use shadetrade::components::{Orbit, ShadingMode, View, overwrite, viewer_mut};
 use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
-use shadetrade::systems;
 
-use super::empty_frame;
-use crate::stability::life::{still_life, views};
 use crate::support::scene::{draw, truth};
 
 #[test]
@@ -35,23 +32,4 @@ fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {
     assert_eq!(drawn(&mut scene.snapshot()), expected);
     let mut upright = Scene::load(None).expect("the built-in scene is valid");
     assert_ne!(drawn(&mut upright), expected);
-}
-
-#[test]
-fn a_light_that_goes_off_and_on_again_leaves_the_same_picture() {
-    let mut world = still_life(3);
-    // Phong at tolerance 0, which shows every light.
-    let view = &views([60, 40])[3];
-    let mut frame = empty_frame();
-    let mut levels = |off: Option<usize>| {
-        let lights = world.query_mut::<&mut Light>().into_iter().enumerate();
-        lights.for_each(|(index, light)| light.on = off != Some(index));
-        systems::draw(&mut world, view, &mut frame).expect("a small picture fits");
-        frame.levels().to_vec()
-    };
-    let expected = levels(None);
-    for light in 0..5 {
-        assert_ne!(levels(Some(light)), expected, "light {light}");
-        assert_eq!(levels(None), expected, "light {light}");
-    }
 }

@@ -95,23 +95,6 @@ fn gouraud_s_vertex_colours_are_the_model_at_the_vertices() {
 }
 
 #[test]
-fn a_vertex_that_reflects_the_light_to_the_eye_shows_the_highlight() {
-    // At + + + r = (2, 2, -1) / 3: see above.
-    let lights = [(dvec3(1.0, 1.0, 5.0), light(LightKind::Specular, 100.0))];
-    for (eye, expected) in [
-        // (1, 1, 1) + 9 r: o = r.
-        (dvec3(7.0, 7.0, -2.0), 100.0),
-        // o = (1, 1, 1) / sqrt 3: o.r = 1 / sqrt 3, squared by rho = 2.
-        (dvec3(10.0, 10.0, 10.0), 100.0 / 3.0),
-    ] {
-        let mut view = ahead(Projection::Perspective, [8, 8]).shaded(ShadingMode::Gouraud);
-        view.camera.position = eye;
-        let found = cube(&lights, &view).0[7].x;
-        assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
-    }
-}
-
-#[test]
 fn only_a_cuboid_under_gouraud_has_vertex_colours() {
     // The cuboid's own mode is Phong, which the view overrides. kA is 0.1.
     let lights = [(DVec3::ZERO, light(LightKind::Ambient, 200.0))];

@@ -46,10 +46,7 @@ fn normals_turn_with_their_own_cuboid_and_keep_their_length() {
     let mut random = Random(2);
     for _ in 0..100 {
         let [normals] = run([(turned(random.around(720.0)), dvec3(5.0, 1.0, 0.2))]);
-        assert!(
-            normals
-                .iter()
-                .all(|normal| (normal.length() - 1.0).abs() < 1e-14)
-        );
+        let mut errors = normals.iter().map(|normal| normal.length() - 1.0);
+        assert!(errors.all(|error| error.abs() < 1e-14));
     }
 }

@@ -7,6 +7,7 @@ use shadetrade::systems::spin;
 
 use super::{ahead, at, empty_frame, place, read, turned};
 use crate::support::random::Random;
+use crate::support::scene;
 
 /// The placement of a cuboid that has turned by this many degrees. Its transform stays.
 fn run(transform: Transform, degrees: u32) -> WorldTransform {
@@ -38,17 +39,12 @@ fn a_quarter_turn_takes_y_to_z_and_leaves_the_own_x_axis() {
 fn a_spin_is_a_rotation_about_x_before_the_scene_s_own() {
     let mut random = Random(1);
     for degrees in (0..360).step_by(7) {
-        let transform = Transform {
-            position: random.around(9.0),
-            rotation: random.around(400.0),
-        };
+        let transform = scene::placed(random.around(9.0), random.around(400.0));
         let placed = run(transform, degrees);
         let about_x = DQuat::from_rotation_x(f64::from(degrees).to_radians());
         let expected = transform.axes() * DMat3::from_quat(about_x);
-        assert!(
-            placed.axes.abs_diff_eq(expected, 1e-14),
-            "{transform:?} by {degrees}"
-        );
+        let is_right = placed.axes.abs_diff_eq(expected, 1e-14);
+        assert!(is_right, "{transform:?} by {degrees}");
         assert!(placed == place(transform) || degrees > 0, "{transform:?}");
     }
 }

@@ -18,14 +18,20 @@ fn run(view: &View) -> Lens {
     frame.lens
 }
 
-/// Two cameras at a distance of ten from a cube: one in front of it, one to the right of it.
+/// Six units above its target.
+const RIGHT: DVec3 = dvec3(8.0, 6.0, 0.0);
+
+/// Two cameras at a distance of ten from a cube, one in front of it and one to the right of it, and another cube aside.
 fn cameras() -> Scene {
     let sees = [90.0, 20.0];
     let record = SceneRecord {
-        cuboid: vec![records::cuboid("cube", DVec3::ONE, DVec3::ZERO)],
+        cuboid: vec![
+            records::cuboid("cube", DVec3::ONE, DVec3::X * -0.25),
+            records::cuboid("aside", DVec3::ONE, DVec3::X * 2.75),
+        ],
         camera: vec![
             records::camera("front", DVec3::Z * 10.0, DVec3::ZERO, sees),
-            records::camera("right", DVec3::X * 10.0, DVec3::ZERO, sees),
+            records::camera("right", RIGHT, DVec3::ZERO, sees),
         ],
         ..SceneRecord::default()
     };
@@ -88,10 +94,31 @@ fn an_orbit_moves_the_active_camera_around_its_target() {
     assert_eq!(seen, 20.0 * nearer.zoom);
     // The other camera keeps its own orbit.
     scene.look_from("right").expect("it is there");
-    assert_eq!(seen_from(&scene), DVec3::X * 10.0);
+    assert_eq!(seen_from(&scene), RIGHT);
+    let eye = moved(&scene, quarter).eye;
+    assert!(eye.abs_diff_eq(dvec3(0.0, 6.0, -8.0), 1e-14), "{eye}");
+    for (elevation, expected) in [(170.0, 89.0_f64), (-170.0, -89.0)] {
+        let raised = Orbit {
+            elevation,
+            ..quarter
+        };
+        let height = moved(&scene, raised).eye.y;
+        assert!((height - 10.0 * expected.to_radians().sin()).abs() < 1e-13);
+    }
     scene.look_from("left").expect_err("there is none");
     scene.look_from("front").expect("it is there");
     assert_eq!(moved(&scene, Orbit::default()), here, "and back");
+}
+
+#[test]
+fn an_orbit_is_moved_the_shorter_way_round_and_short_of_the_poles() {
+    let mut camera = View::of(&cameras().world, [3, 2]).camera;
+    let moved = |azimuth: f64| Orbit::default().moved(&camera, azimuth, 0.0).azimuth;
+    assert_eq!([170.0, 190.0, -190.0].map(moved), [170.0, -170.0, 170.0]);
+    assert!((-180.0..=180.0).contains(&moved(5e60)));
+    // A camera that stands closer to a pole keeps its place.
+    camera.position = dvec3(0.01, 10.0, 0.0);
+    assert_eq!(camera.elevation_short_of_poles(5.0), 0.0);
 }
 
 #[test]
@@ -118,10 +145,8 @@ fn a_view_has_the_settings_of_the_viewer_and_its_mode_overrides_that_of_every_cu
     overwrite(world, &viewer);
     overwrite(world, &Background(DVec3::ONE));
     let view = View::of(world, [30, 20]);
-    assert_eq!(
-        (view.size, view.projection),
-        ([30, 20], Projection::Orthographic)
-    );
+    assert_eq!(view.size, [30, 20]);
+    assert_eq!(view.projection, Projection::Orthographic);
     assert_eq!((view.tolerance, view.turned), (0.25, 7));
     assert_eq!((view.background, view.shading), (DVec3::ONE, None));
     for own in [ShadingMode::Gouraud, ShadingMode::Phong] {
@@ -132,8 +157,6 @@ fn a_view_has_the_settings_of_the_viewer_and_its_mode_overrides_that_of_every_cu
     }
 }
 
-/// At a distance of ten from a cube of size one: the nearest zoom is at its corner, the farthest at thirty times its
-/// size.
 #[test]
 fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
     let limits = Orbit::limits(&cameras().world);
@@ -144,15 +167,18 @@ fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
         let back = own.zoomed(steps, &limits).zoomed(-steps, &limits);
         assert_eq!(back, own, "{steps} steps");
     }
-    let root = 3.0_f64.sqrt();
-    let ends = [1000, -1000].map(|steps| own.zoomed(steps, &limits).zoom * 10.0);
-    let closest = root / 2.0 * 1.001_002;
-    assert!((closest..closest * 1.1).contains(&ends[0]), "{ends:?}");
-    // The height at twice the distance is the limit.
-    let farthest = 15.0 * root;
-    assert!((farthest / 1.1..=farthest).contains(&ends[1]), "{ends:?}");
+    // The nearest distance is that of the farthest corner of the cube around the target, and of the near plane. The largest height, twice
+    // the distance, is thirty times the size of both cubes.
+    let expected = [17.0_f64.sqrt() / 4.0 + 0.01, 45.0 * 2.0_f64.sqrt()];
+    for (limit, expected) in [limits.start(), limits.end()].into_iter().zip(expected) {
+        assert!((limit * 10.0 - expected).abs() < 1e-12, "{limits:?}");
+    }
+    let [nearest, farthest] = [1000, -1000].map(|steps| own.zoomed(steps, &limits).zoom);
+    let reached = nearest / 1.1 < *limits.start() && farthest * 1.1 > *limits.end();
+    assert!(reached && limits.contains(&nearest) && limits.contains(&farthest));
     // A file may place a camera beyond the limits of the keys.
     let outside = Orbit { zoom: 50.0, ..own };
     assert!(outside.zoomed(1, &limits).zoom < 50.0);
     assert_eq!(outside.zoomed(-1, &limits).zoom, 50.0);
+    assert!(outside.zoomed(1, &(100.0..=200.0)).zoom < 50.0);
 }

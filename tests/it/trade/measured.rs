@@ -5,7 +5,10 @@ use std::time::Duration;
 
 use fearless_simd::Level;
 use glam::DVec3;
-use shadetrade::components::{Background, Light, LightKind, ShadingMode, overwrite, viewer_mut};
+use shadetrade::cli::options::BudgetOption;
+use shadetrade::components::{
+    Background, Light, LightKind, ShadingMode, Viewer, overwrite, viewer_mut,
+};
 use shadetrade::drawing::Drawing;
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::output::json;
@@ -208,6 +211,15 @@ fn the_share_of_the_highlight_is_that_of_specular_light_alone_before_black() {
         let kept: Vec<_> = report.methods.iter().map(|it| it.highlight_kept).collect();
         assert_eq!(kept, expected, "{background}, {tolerance}");
     }
+}
+
+#[test]
+fn a_budget_on_the_command_line_replaces_the_tolerance_of_the_scene() {
+    let mut drawing = request([1, 1], 1, |record| record.view.tolerance = 4.0).drawing;
+    let budget = Some(2.0);
+    BudgetOption { budget }.apply_to(&mut drawing);
+    let view = SceneRecord::of(&drawing.scene.world).view;
+    assert_eq!((view.tolerance, view.budget), (Viewer::TOLERANCE, budget));
 }
 
 #[test]

@@ -175,10 +175,7 @@ fn flip_agrees_with_its_authors_program() {
     for (left, right, expected) in &pairs {
         for (pixels_per_degree, expected) in [flip::PIXELS_PER_DEGREE, 30.0].iter().zip(expected) {
             let found = flip_of(left, right, *pixels_per_degree);
-            assert!(
-                (found - expected).abs() <= 2e-5,
-                "{found} is not {expected}"
-            );
+            assert!((found - expected).abs() <= 2e-5, "{found}, {expected}");
         }
     }
 }

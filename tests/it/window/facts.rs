@@ -64,11 +64,7 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     };
     for key in [Key::F2, Key::F6, Key::H, Key::H] {
         window.press(key);
-        assert_eq!(
-            are_current(&window),
-            [true; 3],
-            "{key:?} changes no picture"
-        );
+        assert_eq!(are_current(&window), [true; 3], "{key:?}");
     }
     // Nothing asks for them again.
     window.app.viewer_mut().inspector = None;

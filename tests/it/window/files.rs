@@ -78,11 +78,8 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     assert_eq!(window.files(), ["cuboid-2.toml", "cuboid.toml"]);
     edit(&mut window, 3.0);
     save(&mut window);
-    assert_eq!(
-        window.files(),
-        ["cuboid-2.toml", "cuboid.toml"],
-        "it has a file now"
-    );
+    // It has a file now.
+    assert_eq!(window.files(), ["cuboid-2.toml", "cuboid.toml"]);
     edit(&mut window, 4.0);
     window.press_with(CONTROL_SHIFT, Key::S);
     assert_eq!(
