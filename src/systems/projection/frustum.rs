@@ -99,13 +99,8 @@ impl<'a> Frustum<'a> {
                 (vertices, len) = cut(&vertices[..len], axis, plane);
             }
         }
-        // Rounding must not move a point in front of the near plane.
-        let seen = |place: DVec3| {
-            let seen = self.to_camera * place;
-            DVec3::new(seen.x, seen.y, seen.z.max(self.lens.near))
-        };
         Polygon {
-            vertices: vertices.map(|(place, _)| self.snapped(seen(place))),
+            vertices: vertices.map(|(place, _)| self.snapped(self.to_camera * place)),
             len: len as u8,
         }
     }

@@ -2,11 +2,12 @@
 
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
-use shadetrade::components::{Lens, Mesh, Projected, Projection, View, WorldTransform};
+use shadetrade::components::{Lens, Mesh, Polygon, Projected, Projection, View, WorldTransform};
 use shadetrade::frame::Keep;
 use shadetrade::systems::projection;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};
+use crate::support::random::Random;
 use crate::support::scene::{draw, spawn_cuboid};
 
 /// The first triangle of face +z: corners 4, 5 and 7.
@@ -82,6 +83,39 @@ fn a_cuboid_behind_the_near_plane_leaves_no_polygon() {
         assert_eq!(drawn(dvec3(2.0, 0.0, 9.0)), perspective);
         for beyond in [10.1, 15.0, 1e9] {
             assert!(!drawn(dvec3(2.0, 0.0, beyond)), "{beyond}");
+        }
+    }
+}
+
+#[test]
+fn a_face_in_the_near_plane_up_to_rounding_is_cut_within_its_own_ends() {
+    let mut random = Random(11);
+    for case in 0..2000 {
+        let placed = place(turned(random.around(180.0)));
+        let mut eye = random.around(1.0);
+        eye.z = 1.0 + random.between(1e-6, 10.0);
+        let mut view = ahead(PROJECTIONS[case % 2], [200, 200]);
+        (view.camera.fov, view.camera.up) = (170.0, placed.axes * DVec3::Y);
+        view.camera.position = placed.axes * eye;
+        view.camera.target = placed.axes * dvec3(eye.x, eye.y, 0.0);
+        // The ends of face +z right and down, before the near plane and in it.
+        let [whole, cut] = [0.5, 1.0].map(|share| {
+            view.camera.near = Some(share * (eye.z - 1.0));
+            let (mesh, mut projected) = (Mesh::cuboid(DVec3::splat(2.0)), Projected::default());
+            projection::project(&placed, &mesh, &Lens::new(&view), &mut projected);
+            let front = projected.polygons[FRONT..FRONT + 2].iter();
+            let corners: Vec<[i32; 2]> = front.flat_map(Polygon::vertices).copied().collect();
+            [0, 1].map(|axis| {
+                let places = corners.iter().map(move |corner| corner[axis]);
+                places.clone().min().zip(places.max())
+            })
+        });
+        for (whole, cut) in whole.into_iter().zip(cut) {
+            let (Some(whole), Some(cut)) = (whole, cut) else {
+                continue;
+            };
+            let is_within = whole.0 - 1 <= cut.0 && cut.1 <= whole.1 + 1;
+            assert!(is_within, "{cut:?} of {whole:?} from {eye}");
         }
     }
 }

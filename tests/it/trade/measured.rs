@@ -228,8 +228,13 @@ fn views_with_little_or_nothing_to_measure_have_a_report() {
         |record| record.camera[0].target = DVec3::new(14.0, 10.0, 16.0);
     let (nothing, _) = measured(&request([32, 24], 1, away));
     assert_eq!(nothing.covered_pixels, 0);
-    let is_off = |one: &Measurement| one.error.is_none() && !one.on_front;
-    assert!(nothing.methods.iter().all(is_off));
+    for one in &nothing.methods {
+        assert_eq!(
+            (one.largest_error(), one.ns_per_covered_pixel),
+            (None, None)
+        );
+        assert!(!one.on_front);
+    }
     assert_eq!(measured(&ordinary([1, 1], 1)).0.covered_pixels, 1);
     // Without light or colour all methods draw the same black.
     let unlit: fn(&mut SceneRecord) = |record| record.light.clear();
