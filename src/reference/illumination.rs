@@ -17,9 +17,8 @@ use super::real::{Real, RealVector};
 use super::rule::Rule;
 use crate::components::{Light, LightKind, Material};
 
-/// The tied gates that are open. Under Gouraud there is one bit per corner of the triangle, otherwise one bit per
-/// specular light, by its number modulo [`TIES`]. Lights with the same bit open together. Where more than
-/// [`TIES`] lights are tied at one point, not every combination is enclosed, and a legal pixel may be refuted.
+/// The tied gates that are open: under Gouraud one bit per corner of the triangle, otherwise one bit per tied gate. Where
+/// more gates are tied at a point than it has bits, one enclosure holds all combinations.
 pub type Open = usize;
 
 /// The bits of [`Open`].
@@ -48,11 +47,11 @@ struct Corner<R> {
     to_lights: Vec<RealVector<R>>,
 }
 
-/// Levels, and whether they depend on a tied gate.
+/// Levels, and how many tied gates they depend on. Gates of lights at one position open together and count once.
 #[derive(Clone, Copy)]
 pub struct Lit<R> {
     pub levels: RealVector<R>,
-    pub is_tied: bool,
+    pub ties: usize,
 }
 
 /// The illumination of a cuboid's surface.
@@ -114,7 +113,7 @@ impl<R: Real> ReferenceSurface<R> {
         };
         let lit = |corner: &Corner<R>, open| {
             let to_light = |light: usize| corner.to_lights[light];
-            surface.lit(corner.normal, corner.to_eye, to_light, open)
+            surface.lit(corner.normal, corner.to_eye, to_light, open, 1)
         };
         let lit = |open| surface.corners.each_ref().map(|corner| lit(corner, open));
         surface.corner_levels = vec![lit(0), lit(ALL)];
@@ -159,16 +158,38 @@ impl<R: Real> ReferenceSurface<R> {
         }
     }
 
-    /// The model at a point; `to_light` returns l for the index of a light.
+    /// The model at a point whose gates have this many bits in `open`; `to_light` returns l for the index of a light.
     fn lit(
         &self,
         normal: RealVector<R>,
         to_eye: RealVector<R>,
         to_light: impl Fn(usize) -> RealVector<R>,
-        mut open: Open,
+        open: Open,
+        bits: usize,
+    ) -> Lit<R> {
+        let sum = |open| self.sum(normal, to_eye, &to_light, open);
+        let lit = sum(open);
+        if lit.ties <= bits {
+            return lit;
+        }
+        // A highlight only adds light, so every combination lies between none and all of them.
+        Lit {
+            levels: sum(0).levels.zip(sum(ALL).levels, R::either),
+            ..lit
+        }
+    }
+
+    /// The sum over all lights, with these tied gates open.
+    fn sum(
+        &self,
+        normal: RealVector<R>,
+        to_eye: RealVector<R>,
+        to_light: impl Fn(usize) -> RealVector<R>,
+        open: Open,
     ) -> Lit<R> {
         let mut levels = RealVector::exact(DVec3::ZERO);
-        let mut is_tied = false;
+        // The places of lights with a tied gate.
+        let mut tied = Vec::new();
         let mut last = None;
         for (index, light) in self.lights.iter().enumerate() {
             if light.kind == LightKind::Ambient {
@@ -179,15 +200,22 @@ impl<R: Real> ReferenceSurface<R> {
             let shared = last.filter(|(place, _)| *place == light.place);
             let to_light = shared.map_or_else(|| to_light(index), |(_, to_light)| to_light);
             last = Some((light.place, to_light));
-            let factor = self.factor(light.kind, normal, to_eye, to_light, open & 1 == 1);
-            levels = levels + light.levels * factor;
-            if light.kind == LightKind::Specular {
-                is_tied |= normal.dot(to_light).is_tied();
-                // Rotates the bits: the lowest belongs to the next specular light.
-                open = open >> 1 | (open & 1) << (TIES - 1);
+            let mut is_open = false;
+            if light.kind == LightKind::Specular && normal.dot(to_light).is_tied() {
+                let known = tied.iter().position(|place| *place == light.place);
+                let bit = known.unwrap_or(tied.len());
+                if known.is_none() {
+                    tied.push(light.place);
+                }
+                is_open = open >> (bit % TIES) & 1 == 1;
             }
+            let factor = self.factor(light.kind, normal, to_eye, to_light, is_open);
+            levels = levels + light.levels * factor;
         }
-        Lit { levels, is_tied }
+        Lit {
+            levels,
+            ties: tied.len(),
+        }
     }
 
     /// Phong (1975): the model at a point of a face.
@@ -199,7 +227,7 @@ impl<R: Real> ReferenceSurface<R> {
         } else {
             place.share.unit()
         };
-        self.lit(normal, place.to_eye, to_light, open)
+        self.lit(normal, place.to_eye, to_light, open, TIES)
     }
 
     /// l of a light at a point of a face.
@@ -212,7 +240,7 @@ impl<R: Real> ReferenceSurface<R> {
         let lit: [_; 3] = std::array::from_fn(|i| self.corner_levels[open >> i & 1][corners[i]]);
         Lit {
             levels: blend(lit.map(|lit| lit.levels), weights),
-            is_tied: lit.iter().any(|lit| lit.is_tied),
+            ties: lit.iter().map(|lit| lit.ties).sum(),
         }
     }
 
@@ -230,7 +258,7 @@ impl<R: Real> ReferenceSurface<R> {
         };
         let to_light = |light: usize| between(&|corner| corner.to_lights[light]);
         let normal = between(&|corner| corner.normal);
-        self.lit(normal, between(&|corner| corner.to_eye), to_light, 0)
+        self.lit(normal, between(&|corner| corner.to_eye), to_light, 0, TIES)
     }
 }
 

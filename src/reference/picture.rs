@@ -207,7 +207,7 @@ impl<R: Real> ReferenceCuboid<R> {
                     triangle: Some(self.number * TRIANGLES.len() + triangle),
                     levels: lit.levels.0,
                 });
-                lit.is_tied
+                lit.ties > 0
             };
             if see(0) {
                 for open in 1..1 << TIES {

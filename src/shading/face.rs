@@ -172,6 +172,16 @@ impl<'a> Face<'a> {
         }
     }
 
+    /// The value at a place of what has these values at the cuboid's eight corners and is linear on each triangle of the face.
+    ///
+    /// On an edge the weight of the corner opposite is exactly 0, so a very large value there does not round the others away.
+    pub fn blend(&self, values: &[DVec3; 8], [u, v]: [f64; 2]) -> DVec3 {
+        let [a, b, c, d] = FACES[self.number].map(|corner| values[usize::from(corner)]);
+        let third = if self.across([u, v]) < 0.0 { d } else { b };
+        let (least, most) = (u.min(v), u.max(v));
+        (a * (1.0 - most) + third * (most - least) + c * (1.0 + least)) / 2.0
+    }
+
     /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
     ///
     /// The affine part of w (L - O) - H d: the terms of second order vanish, for w and d move only where O and H stay. Its

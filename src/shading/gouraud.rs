@@ -22,8 +22,8 @@ pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// Levels on the first and on the second triangle, as functions of u and v; and w times them, as functions of the pixel.
-    levels: [Affine; 2],
+    /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the pixel.
+    levels: [DVec3; 8],
     colors: [Affine; 2],
 }
 
@@ -84,12 +84,14 @@ const ROUNDING: f64 = 80.0 * U;
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
     pub fn new(face: &'a Face, levels: &[DVec3; 8], tolerance: f64) -> Self {
-        let levels = [0, 1].map(|triangle| face.interpolate(levels, triangle));
         Gouraud {
             face,
             tolerance,
-            levels,
-            colors: levels.map(|levels| face.place.map(|it| levels.homogeneous(it.x, it.y, it.z))),
+            levels: *levels,
+            colors: [0, 1].map(|triangle| {
+                let levels = face.interpolate(levels, triangle);
+                face.place.map(|it| levels.homogeneous(it.x, it.y, it.z))
+            }),
         }
     }
 
@@ -166,8 +168,8 @@ impl<'a> Gouraud<'a> {
 
     /// See [`super::Shader::define`].
     pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        let ([u, v], _) = self.face.place_at(x, y);
-        self.levels[usize::from(self.face.across([u, v]) < 0.0)].at(u, v)
+        let (place, _) = self.face.place_at(x, y);
+        self.face.blend(&self.levels, place)
     }
 }
 

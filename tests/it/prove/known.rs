@@ -152,3 +152,28 @@ fn lights_in_other_directions_may_decide_a_tie_independently() {
         assert_eq!(proof.proven, 1, "{:?}", proof.examples);
     }
 }
+
+/// Three lights are tied at the corner (1, 1, 1), and five in the middle of the face z = 1: more than have a bit.
+#[test]
+fn no_combination_of_many_tied_gates_is_refuted() {
+    let mut random = Random(5);
+    let corner = [[0.0, 0.0, 3.0], [0.0, 3.0, 0.0], [3.0, 0.0, 0.0]];
+    let middle = [[3.0, 0.0], [0.0, 3.0], [3.0, 2.0], [2.0, 3.0], [5.0, 1.0]];
+    let middle = middle.map(|[x, y]| [x, y, 1.0]);
+    for (mode, size, places) in [
+        (ShadingMode::Gouraud, [24, 18], &corner[..]),
+        (ShadingMode::Phong, [1, 1], &middle),
+    ] {
+        for _ in 0..40 {
+            let (mut world, axes) = any_cube(&mut random);
+            for (levels, place) in [20.0, 30.0, 40.0, 50.0, 60.0].into_iter().zip(places) {
+                let place = axes * DVec3::from(*place);
+                shine(&mut world, LightKind::Specular, levels, place);
+            }
+            let eye = axes * DVec3::new(-4.0, -4.0, 6.0);
+            let view = view(size, eye, axes * DVec3::Z, Projection::Perspective);
+            let proof = proof(&mut world, &view.shaded(mode));
+            assert_eq!(proof.refuted, 0, "{mode:?}: {:?}", proof.examples);
+        }
+    }
+}
