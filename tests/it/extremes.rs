@@ -56,12 +56,8 @@ fn every_extreme_passes() {
             .par_chunks(4)
             .flat_map(|extremes| examine(extremes, level, Monitor::NONE));
         let failed: Vec<Outcome> = outcomes.filter(|outcome| !outcome.pass).collect();
-        assert!(
-            failed.is_empty(),
-            "{}\n{}",
-            simd::name(level),
-            text(&failed)
-        );
+        let name = simd::name(level);
+        assert!(failed.is_empty(), "{name}\n{}", text(&failed));
     }
 }
 

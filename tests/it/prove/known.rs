@@ -77,6 +77,20 @@ fn every_pixel_beside_a_diagonal_is_proven() {
     }
 }
 
+/// Snapping moves the left edge by 0.0015 pixel onto centres, where the levels grow by 58 a pixel to the left.
+#[test]
+fn every_pixel_just_outside_an_edge_is_proven() {
+    let mut world = empty();
+    let place = at(DVec3::X * 0.25075);
+    spawn_cuboid(&mut world, DVec3::splat(2.0), place, WHITE);
+    shine(&mut world, LightKind::Diffuse, 400.0, DVec3::X * -1e6);
+    let eye = DVec3::Z * 12.0;
+    let mut view = view([8, 8], eye, DVec3::ZERO, Projection::Orthographic);
+    view.camera.height = 4.0;
+    let proof = proof(&mut world, &view.shaded(ShadingMode::Gouraud));
+    assert_eq!(proof.proven, 64, "{:?}", proof.examples);
+}
+
 /// A cuboid of 2e14 units, lit and seen from a few units in front of its corner.
 pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
     const HALF: f64 = 1e14;

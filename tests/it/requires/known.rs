@@ -161,6 +161,8 @@ fn without_normalisation_normals_are_shorter_by_sqrt_3_in_the_middle_of_a_face()
     }
     let scene = shaded(Gouraud, scene);
     assert_error(change(&scene, &view, Part::Rule(Rule::UnitNormal)), 0.0);
+    let mut parts = shadetrade::requires::parts(&scene).into_iter();
+    assert!(!parts.any(|(part, _)| part == Part::EveryPixel(0)));
 }
 
 #[test]

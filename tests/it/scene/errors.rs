@@ -65,6 +65,7 @@ Names, and values that do not go together.
 18 ¦ position = [0, 9, 0]              ¦ 19:10 ¦ `camera.target` ¦ [0.0, 0.0, 0.0]
 18 ¦ position = [0, 0, -0.0]           ¦ 19:10 ¦ `camera.target` ¦ [0.0, 0.0, 0.0]
 21 ¦ height = 1⏎orbit.zoom = 1e150     ¦ 22:14 ¦ `camera.orbit.zoom` ¦ zoom
+21 ¦ height = 1e100⏎orbit.zoom = 10   ¦ 22:14 ¦ `camera.orbit.zoom` ¦ zoom
 22 ¦ [view]⏎camera = "2"               ¦ 23:10 ¦ `view.camera` ¦ "2"
 22 ¦ [view]⏎tolerance = 2⏎budget = 2   ¦ 24:10 ¦ `view.budget` ¦ 2
 

@@ -134,10 +134,8 @@ fn every_built_in_scene_has_the_material_and_the_lights_of_the_first_which_is_th
     for (name, _) in BUILT_IN {
         let scene = load(Some(name));
         let record = record(&scene);
-        assert_eq!(
-            (scene.name.as_str(), &record.light),
-            (name, &expected.light)
-        );
+        assert_eq!(scene.name, name);
+        assert_eq!(record.light, expected.light);
         assert_eq!(record.cuboid[0].material, expected.cuboid[0].material);
     }
 }

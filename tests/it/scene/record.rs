@@ -46,10 +46,8 @@ fn a_snapshot_is_independent_and_keeps_the_assignment_s_shortcut() {
     overwrite(&mut scene.world, &ShadingMode::UnitVectors);
     let copy = scene.snapshot();
     let before = SceneRecord::of(&scene.world);
-    assert_eq!(
-        (&copy.name, SceneRecord::of(&copy.world)),
-        (&scene.name, before.clone())
-    );
+    assert_eq!(copy.name, scene.name);
+    assert_eq!(SceneRecord::of(&copy.world), before);
     overwrite(&mut scene.world, &ShadingMode::Phong);
     assert_eq!(SceneRecord::of(&copy.world), before);
 }

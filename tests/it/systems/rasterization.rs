@@ -190,7 +190,7 @@ fn small_faces_of_every_size_cover_all_their_pixels() {
         let [right, up] = [size % 7, size / 7].map(|side| f64::from(side) + 14.42);
         for shift in [0.0, 0.3, 0.7, 13.4, -13.4] {
             let mut world = World::new();
-            let place = at(dvec3(shift, shift, 0.0));
+            let place = at(dvec3(shift, -shift, 0.0));
             spawn_cuboid(&mut world, dvec3(right, up, 2.0), place, MATERIAL);
             let mut view = ahead(Projection::Orthographic, [40, 40]);
             view.camera.height = 40.0;
@@ -200,7 +200,7 @@ fn small_faces_of_every_size_cover_all_their_pixels() {
                 let [from, to] = ends.map(|end| (end - 0.5).ceil());
                 (to - from) as u64
             };
-            let expected = centres(right, shift) * centres(up, -shift);
+            let expected = centres(right, shift) * centres(up, shift);
             let covered = draw(&mut world, &view).counts().covered_pixels;
             assert_eq!(covered, expected, "{right} x {up}, {shift}");
         }

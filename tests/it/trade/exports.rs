@@ -153,10 +153,8 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
     assert_eq!(plot.rows("<scene> & \"quotes\"").len(), 1);
     for point in &plot.circle {
         let is_inside = (0.0..960.0).contains(&point.center_x);
-        assert!(
-            is_inside && (108.0..600.0).contains(&point.center_y),
-            "{point:?}"
-        );
+        let is_inside = is_inside && (108.0..600.0).contains(&point.center_y);
+        assert!(is_inside, "{point:?}");
     }
     // On the front a label is below its point, to the left, and the disc is filled; other labels are above, to the right.
     let discs = plot.circle.iter().filter(|it| it.fill != "none");

@@ -141,10 +141,8 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     // As much time as Gouraud takes.
     window.press(Key::M);
     let budget = window.app.viewer().budget;
-    assert!(
-        budget.is_some_and(|budget| (0.2..0.25).contains(&budget)),
-        "{budget:?}"
-    );
+    let is_near = budget.is_some_and(|budget| (0.2..0.25).contains(&budget));
+    assert!(is_near, "{budget:?}");
     assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
     for (budget, (mode, tolerance)) in [
         (5.0, (Phong, 0.0)),
