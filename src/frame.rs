@@ -100,6 +100,8 @@ struct Buffers {
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
+    /// Whether the last picture compared depths.
+    deep: bool,
     pixels: Aligned<u32>,
     levels: Aligned<[f32; 3]>,
     triangles: Aligned<u32>,
@@ -155,10 +157,12 @@ impl Frame {
         self.buffers.levels.as_slice()
     }
 
-    /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`] or
-    /// a depth buffer is used. With [`Keep::Display`] it is the first triangle of the visible face.
+    /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`].
     pub fn triangles(&self) -> &[u32] {
-        self.buffers.triangles.as_slice()
+        match self.keep {
+            Keep::Levels => self.buffers.triangles.as_slice(),
+            Keep::Display => &[],
+        }
     }
 
     /// The kind of each pixel's tile: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`].
@@ -211,6 +215,7 @@ impl Frame {
             Ok(Buffers {
                 size,
                 background: DVec3::ZERO,
+                deep: false,
                 pixels: Aligned::new(wanted(display), 0)?,
                 levels: Aligned::new(wanted(!display), [0.0; 3])?,
                 triangles: Aligned::new(wanted(deep || !display), NO_TRIANGLE)?,
@@ -231,8 +236,10 @@ impl Frame {
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch, &mut Counts) + Sync,
     ) {
         let (buffers, list) = (&mut self.buffers, &mut self.list);
-        if buffers.background != background {
-            buffers.background = background;
+        // The depths of a single cuboid are not needed.
+        let deep = list.objects.len() > 1;
+        if (buffers.background, buffers.deep) != (background, deep) {
+            (buffers.background, buffers.deep) = (background, deep);
             buffers.drawn.fill(Drawn::anything(buffers.size[0]));
         }
         list.cut(&buffers.rows, self.workers.pool.is_some());
@@ -242,9 +249,17 @@ impl Frame {
             background,
             pixels: buffers.pixels.as_mut_slice(),
             levels: buffers.levels.as_mut_slice(),
-            triangles: buffers.triangles.as_mut_slice(),
+            triangles: if deep || self.keep == Keep::Levels {
+                buffers.triangles.as_mut_slice()
+            } else {
+                &mut []
+            },
             kinds: buffers.kinds.as_mut_slice(),
-            depths: buffers.depths.as_mut_slice(),
+            depths: if deep {
+                buffers.depths.as_mut_slice()
+            } else {
+                &mut []
+            },
             drawn: &mut buffers.drawn,
         };
         let list = &self.list;

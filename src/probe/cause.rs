@@ -51,7 +51,7 @@ impl ProbedSurface {
         let Some(light) = most else {
             return Some(["No light is on.".to_owned(), String::new()]);
         };
-        let (name, here) = (&light.name, light.factor);
+        let (name, here) = (format!("light {}", light.name), light.factor);
         let factor = match light.kind {
             LightKind::Ambient => "1".to_owned(),
             LightKind::Diffuse => "n.l".to_owned(),
@@ -79,7 +79,9 @@ impl ProbedSurface {
         } else if !is_specular && is_less && here > most {
             format!("The surface faces {name} more here than at any vertex")
         } else if !is_specular && light.at_corners.contains(&0.0) {
-            format!("{name} is behind a vertex, where n.l ends at 0; a straight line begins there")
+            format!(
+                "A vertex faces away from {name}: n.l ends at 0 there, where a straight line begins"
+            )
         } else {
             let course = if is_less { "rises over" } else { "falls below" };
             format!("{factor} of {name} {course} a straight line between the vertices")

@@ -5,8 +5,8 @@
 //!                                  '-- of a face of at most 16 x 16 pixels: the visible pixels, one by one --'
 //! ```
 //! A pixel is covered if its centre is inside the snapped polygon, or on its top or left edge. The arithmetic is in integers
-//! and exact, so each pixel along a shared edge is drawn once. The depth buffer exists only if there is more than one cuboid,
-//! and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by strip, so
+//! and exact, so each pixel along a shared edge is drawn once. Depths are compared only if more than one cuboid is in the
+//! picture, and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by strip, so
 //! that a strip stays in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of a picture
 //! do not depend on threads, strips or the part of the picture that is drawn.
 
@@ -16,6 +16,8 @@ mod quadtree;
 
 use std::ops::Range;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f64x8, mask32x8, u32x8};
 use hecs::World;
 
 use crate::components::View;
@@ -23,7 +25,7 @@ use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::affine::Affine;
 use crate::shading::face::Rays;
 use crate::shading::square::MAX_SIDE;
-use crate::simd::dispatch;
+use crate::simd::{dispatch, inlined};
 
 /// Depths whose relative difference is smaller than this tie, and the cuboid earlier in the file wins. Without this rule
 /// rounding would make coplanar faces flicker. Each face is compared with the nearest one so far, in the
@@ -41,7 +43,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     frame.paint(view.background, |list, band, scratch, counts| {
         for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
-            dispatch!(level, _simd => compare(list, strip, &rows, band));
+            dispatch!(level, simd => compare(simd, list, strip, &rows, band));
             for piece in list.strip(strip) {
                 // A piece is drawn after its last strip in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
@@ -54,7 +56,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
 
 /// Clears the rows of a strip, and writes the id of the visible piece at each pixel if the band keeps ids.
 #[inline(always)]
-fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) {
+fn compare<S: Simd>(simd: S, list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) {
     let (deep, middle) = (!band.depths.is_empty(), list.rays.lens.half);
     if !deep {
         for piece in list.strip(strip) {
@@ -77,7 +79,7 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) 
                     span.start as f64 + 0.5 - middle[0],
                     row as f64 + 0.5 - middle[1],
                 ];
-                see(piece, place, &mut band.depths[pixels], ids);
+                see(simd, piece, place, &mut band.depths[pixels], ids);
             } else {
                 ids.fill(piece.id);
             }
@@ -88,16 +90,32 @@ fn compare(list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) 
 /// Writes a span of a piece into the depth buffer where it is nearest; `place` is its first pixel, relative to the middle of
 /// the picture.
 #[inline(always)]
-fn see(piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
-    let [least, most] = piece.range;
-    let Affine { centre, dx, dy } = piece.nearness;
+fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
+    let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);
     let start = centre + dy * y;
-    let mut x = left;
+    let splat = inlined!(|number: f64| f64x8::splat(simd, number));
+    let mut x = splat(left) + f64x8::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+    let (eights, depths) = depths.as_chunks_mut::<8>();
+    let (id_eights, ids) = ids.as_chunks_mut::<8>();
+    for (olds, ids) in eights.iter_mut().zip(id_eights) {
+        let new = splat(start) + splat(dx) * x;
+        // NaN becomes the least.
+        let new = new.simd_gt(range[0]).select(new, splat(range[0]));
+        let new = new.simd_lt(range[1]).select(new, splat(range[1]));
+        let old = f64x8::simd_from(simd, *olds);
+        let nearer = (new - old).simd_gt(splat(DEPTH_TIE) * old.abs());
+        *olds = *nearer.select(new, old);
+        let nearer = mask32x8::from_bitmask(simd, nearer.to_bitmask());
+        let own = u32x8::splat(simd, piece.id);
+        *ids = *nearer.select(own, u32x8::simd_from(simd, *ids));
+        x += 8.0;
+    }
+    // The rest of the span, by the same operations.
+    let mut x = x[0];
     for (old, id) in depths.iter_mut().zip(ids) {
         let new = start + dx * x;
-        // One instruction each. NaN becomes `least`.
-        let new = if new > least { new } else { least };
-        let new = if new < most { new } else { most };
+        let new = if new > range[0] { new } else { range[0] };
+        let new = if new < range[1] { new } else { range[1] };
         if new - *old > DEPTH_TIE * old.abs() {
             (*old, *id) = (new, piece.id);
         }

@@ -1,7 +1,7 @@
 //! Sentences that compare the times and the errors of methods.
 //!
-//! Every word follows from a measured number. Times with overlapping intervals are called alike, or not measurably different
-//! if they are far apart.
+//! Every word follows from a measured number. Times with overlapping intervals are called alike, or perhaps different if their
+//! medians are far apart.
 
 use super::measurement::Measurement;
 use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
@@ -53,17 +53,13 @@ fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&
 
 /// The time of `shown` compared with a rival, and its error; `None` if nothing is drawn.
 ///
-/// The rival is Phong within half a level if that saves time, otherwise exact Phong; but never `shown` itself.
+/// The rival is Phong within half a level; that of itself, or if it was not measured, is exact Phong.
 fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
     let error = format!("off by {} of 255", short(Some(shown.largest_error()?)));
     let name = capital(&method_name(shown.method));
     let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Phong, tolerance));
-    let saves = |half: &&Measurement| exact.is_none_or(|exact| is_faster(half, exact));
-    let rivals = [half.filter(saves), exact, half];
-    let rival = rivals
-        .into_iter()
-        .flatten()
-        .find(|it| it.method != shown.method);
+    let mut rivals = [half, exact].into_iter().flatten();
+    let rival = rivals.find(|it| it.method != shown.method);
     Some(match rival {
         // The shortcut is evaluated by its definition, so its time is not that of a renderer that uses it.
         Some(rival) if shown.method.mode != UnitVectors => {
@@ -79,7 +75,7 @@ fn is_faster(one: &Measurement, other: &Measurement) -> bool {
     one.timing.is_measurably_less_than(&other.timing)
 }
 
-/// "2.3 times faster than", "about as fast as", "not measurably faster than".
+/// "2.3 times faster than", "about as fast as", "perhaps 1.4 times faster than".
 fn pace(one: &Measurement, other: &Measurement) -> String {
     let [mine, its] = [one, other].map(|it| it.timing.median);
     let (ratio, word) = if mine < its {
@@ -92,7 +88,7 @@ fn pace(one: &Measurement, other: &Measurement) -> String {
         true if ratio.is_finite() => format!("{} times {word} than", two_digits(ratio)),
         // The smaller time is too short for the clock.
         true => format!("{word} than"),
-        false if ratio > ALIKE => format!("not measurably {word} than"),
+        false if ratio > ALIKE => format!("perhaps {} times {word} than", two_digits(ratio)),
         false => "about as fast as".to_owned(),
     }
 }
@@ -112,7 +108,7 @@ pub fn method_name(method: Method) -> String {
         (Gouraud, 0.0) => "exact Gouraud".to_owned(),
         // Its tolerance is against itself, and says nothing about its error against Phong.
         (Gouraud, UNSEEN) => "Gouraud".to_owned(),
-        (Gouraud, levels) => format!("Gouraud ({levels} of its own)"),
+        (Gouraud, levels) => format!("Gouraud within {levels} of exact Gouraud"),
         (Phong, 0.0) => "exact Phong".to_owned(),
         (Phong, UNSEEN) => "Phong within half a level".to_owned(),
         (Phong, 1.0) => "Phong within 1 level".to_owned(),

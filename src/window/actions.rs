@@ -14,9 +14,10 @@ use crate::drawing::camera_name;
 use crate::scene::SceneRecord;
 
 impl App {
-    /// Runs the actions of the keys that were pressed, unless a text field has the focus.
+    /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
     pub fn take_keys(&mut self, ui: &Ui) {
         let has_field = ui.ctx().text_edit_focused();
+        let has_focus = ui.memory(|memory| memory.focused().is_some());
         let events = ui.input(|input| input.events.clone());
         for event in events {
             let Event::Key {
@@ -39,7 +40,8 @@ impl App {
             // A text field has no use for these.
             let works_in_fields = matches!(action, Action::Save | Action::SaveAs)
                 || (Key::F1..=Key::F12).contains(&key);
-            if (!has_field || works_in_fields) && (!repeat || goes_on(action)) {
+            let is_taken = has_focus && moves_widgets(key) || has_field && !works_in_fields;
+            if !is_taken && (!repeat || goes_on(action)) {
                 self.run(action);
             }
         }
@@ -267,6 +269,12 @@ fn difference(before: &SceneRecord, after: &SceneRecord) -> String {
         words.insert(1, name);
     }
     words.join(" ")
+}
+
+/// Whether a key presses or moves the widget with the focus, or goes to the next one.
+fn moves_widgets(key: Key) -> bool {
+    use Key::{ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Space};
+    matches!(key, ArrowDown | ArrowLeft | ArrowRight | ArrowUp | Space)
 }
 
 /// Whether an action goes on while its key is held.

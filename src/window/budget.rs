@@ -17,6 +17,8 @@ use crate::trade::verdict::method_name;
 const STEP: f64 = 1.25;
 /// The budget where no time is known, in milliseconds.
 const FIRST: f64 = 1.0;
+/// The height of the outcome, in points: room for two lines, so that the rows below do not move.
+const OUTCOME: f32 = 34.0;
 const BUDGET: [&str; 3] = [
     "budget, ms",
     "[ ]",
@@ -99,7 +101,10 @@ impl App {
         if budget != before {
             self.set_budget(Some(budget));
         }
-        ui.label(self.outcome(before));
+        ui.scope(|ui| {
+            ui.set_min_height(OUTCOME);
+            ui.label(self.outcome(before));
+        });
     }
 
     /// The method that holds the budget, its time and its error, and the error that is proven.

@@ -26,4 +26,6 @@ pub struct Desk {
     pub file_error: Option<String>,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityName>,
+    /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.
+    pub clicked: Option<[usize; 2]>,
 }

@@ -89,13 +89,16 @@ impl App {
         fact: &Latest<T>,
         rows: impl Iterator<Item = Vec<String>>,
     ) {
-        Grid::new(name).striped(true).show(ui, |ui| {
-            for row in rows {
-                for cell in row {
-                    ui.colored_label(ink(fact), cell);
+        // A wide table must not widen the sentences around it.
+        ScrollArea::horizontal().id_salt(name).show(ui, |ui| {
+            Grid::new(name).striped(true).show(ui, |ui| {
+                for row in rows {
+                    for cell in row {
+                        ui.colored_label(ink(fact), cell);
+                    }
+                    ui.end_row();
                 }
-                ui.end_row();
-            }
+            });
         });
     }
 

@@ -10,6 +10,8 @@ use super::keys::{BINDINGS, caption_of};
 use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::short;
 use crate::components::{Side, Tab, ViewMode};
+use crate::shading::Method;
+use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 215.0;
@@ -18,10 +20,10 @@ const USUAL: f32 = 300.0;
 const FOLDED: f32 = 22.0;
 
 const METHOD: &str = "The method on screen.";
-const TIME: &str = "The median time of a warm frame, from the World to the picture's pixels; that of the last frame \
-                    until it is measured.";
+const TIME: &str = "The median time of a warm frame, from the World to the picture's pixels; grey until it is measured: \
+                    the time of the last frame.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255.";
-const PROVEN: &str = "Pixels whose error is proven to be within the tolerance.";
+const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance.";
 
 impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
@@ -91,7 +93,8 @@ impl App {
             ui.label(RichText::new(text).color(ink)).on_hover_text(says);
         };
         if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
-            fact(format!("{} ms", short(time)), INK, true, TIME);
+            let is_measured = self.measured_time().is_some();
+            fact(format!("{} ms", short(time)), INK, is_measured, TIME);
         }
         let Facts {
             comparison, proof, ..
@@ -102,10 +105,13 @@ impl App {
         }
         if let Some(it) = &proof.value {
             let pixels = it.proven + it.refuted + it.undecided;
-            let (text, ink) = match pixels - it.proven {
-                0 => ("every pixel proven".to_owned(), GOOD),
-                _ => (format!("proven {} of {pixels}", it.proven), BAD),
+            let (share, ink) = match pixels - it.proven {
+                0 => ("every pixel".to_owned(), GOOD),
+                _ => (format!("{} of {pixels} pixels", it.proven), BAD),
             };
+            let mode = self.method().map(|it| Method::of(it.mode, 0.0));
+            let exact = mode.map_or("its exact mode".to_owned(), method_name);
+            let text = format!("{share} proven within {} of {exact}", short(it.limit));
             fact(text, ink, proof.is_current, PROVEN);
         }
     }

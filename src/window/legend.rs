@@ -17,9 +17,11 @@ impl App {
             ViewMode::Error => self.error_legend(ui),
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
-                for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {
-                    swatch(ui, tint, &format!("{count}  {}", kind.name()));
-                }
+                ui.horizontal_wrapped(|ui| {
+                    for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {
+                        swatch(ui, tint, &format!("{count} {}", kind.name()));
+                    }
+                });
             }
             ViewMode::Picture | ViewMode::Wipe => {}
         }

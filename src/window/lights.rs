@@ -48,7 +48,8 @@ impl Disc {
 }
 
 impl App {
-    /// Lays out the discs of the lights. A drag moves its light across the view, with Shift in depth; a click selects it.
+    /// Lays out the discs of the lights. A drag moves its light across the view, with Shift in depth; both
+    /// a drag and a click select it.
     pub fn discs(&mut self, ui: &Ui) {
         let in_depth = ui.input(|input| input.modifiers.shift);
         for light in self.lights() {
@@ -58,7 +59,7 @@ impl App {
                 let by = disc.drag_delta() * self.scale();
                 self.drag_light(&light.name, by, in_depth);
             }
-            if disc.clicked() {
+            if disc.clicked() || disc.drag_started() {
                 self.desk.selected = Some(("light", light.name.clone()));
             }
             light.draw(ui.painter(), self.place);

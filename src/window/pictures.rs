@@ -130,16 +130,19 @@ pub fn divider_column(divider: f64, width: usize) -> usize {
 
 /// `known`, or `picture` without colour and most of its light.
 pub fn or_dimmed<'a>(known: Option<&'a [u32]>, picture: &[u32]) -> Cow<'a, [u32]> {
-    let dim = |pixel: &u32| {
-        let [_, red, green, blue] = pixel.to_be_bytes().map(u32::from);
-        // Luma after ITU-R BT.601 in parts of 256, a third of it.
-        let grey = (77 * red + 150 * green + 29 * blue) / (3 * 256);
-        grey << 16 | grey << 8 | grey
-    };
+    let dim = |pixel: &u32| mix(0, grey(*pixel), 85);
     known.map_or_else(|| picture.iter().map(dim).collect(), Cow::from)
 }
 
-/// Tints each pixel of a triangle by the kind of its tile, and draws the tile's outline; see [`Frame::kinds`].
+/// A pixel without its colour.
+fn grey(pixel: u32) -> u32 {
+    let [_, red, green, blue] = pixel.to_be_bytes().map(u32::from);
+    // Luma after ITU-R BT.601, in parts of 256.
+    let grey = (77 * red + 150 * green + 29 * blue) / 256;
+    grey << 16 | grey << 8 | grey
+}
+
+/// Tints the grey of each pixel of a triangle by the kind of its tile, and draws the tile's outline; see [`Frame::kinds`].
 fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != NO_TRIANGLE {
@@ -149,7 +152,7 @@ fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
             } else {
                 TINT_WEIGHT
             };
-            *pixel = mix(*pixel, TINTS[usize::from(kind & !OUTLINE)], weight);
+            *pixel = mix(grey(*pixel), TINTS[usize::from(kind & !OUTLINE)], weight);
         }
     }
 }

@@ -158,7 +158,7 @@ impl App {
                 self.say(reason);
             }
             self.facts.is_refined |= question == Question::Refine;
-            if question == Question::Probe {
+            if question == Question::Probe && self.desk.clicked.take().is_some() {
                 let first = self.facts.section.value.iter().flatten().next();
                 let object = first.and_then(|probe| Some(probe.surface.as_ref()?.object.clone()));
                 self.desk.selected = object
@@ -199,10 +199,14 @@ impl App {
 
     /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
     pub fn milliseconds(&self) -> Option<f64> {
-        let method = self.method().filter(|_| self.facts.trade.is_current);
-        let measured = method.and_then(|it| self.measured(it));
         let last = || self.pictures.time.map(|time| time.as_secs_f64() * 1e3);
-        measured.map(|it| it.timing.median).or_else(last)
+        self.measured_time().or_else(last)
+    }
+
+    /// The measured median of the method on screen, in milliseconds.
+    pub fn measured_time(&self) -> Option<f64> {
+        let method = self.method().filter(|_| self.facts.trade.is_current)?;
+        Some(self.measured(method)?.timing.median)
     }
 
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.

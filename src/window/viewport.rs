@@ -61,7 +61,9 @@ impl App {
     fn take_click(&mut self, response: &Response) {
         let pointer = response.interact_pointer_pos();
         if let Some(at) = pointer.filter(|_| response.clicked()) {
-            self.probe(self.pixel_at(at));
+            let pixel = self.pixel_at(at);
+            self.desk.clicked = Some(pixel);
+            self.probe(pixel);
         }
     }
 

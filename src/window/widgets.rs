@@ -38,6 +38,8 @@ pub fn ink<T>(fact: &Latest<T>) -> Color32 {
 pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Response {
     let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
     let drag = DragValue::new(value).speed(speed).range(range);
+    // A number that is being typed is not the number that is meant.
+    let drag = drag.update_while_editing(false);
     let response = ui.add(drag.custom_formatter(format_number));
     // The widget rounds the number to the digits that it shows even if nobody edits it.
     if format_number(*value, 0..=0) == format_number(before, 0..=0) {

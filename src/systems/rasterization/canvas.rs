@@ -21,8 +21,9 @@ pub struct Canvas<'a, 'b> {
     pub spans: Spans<'a>,
     /// The number of the face's first triangle.
     pub id: u32,
-    /// The square that is drawn next.
+    /// The square that is drawn next, and the number of its pixels that are seen.
     pub square: Square,
+    pub seen: usize,
     pub counts: &'a mut Counts,
 }
 
@@ -32,25 +33,29 @@ impl Canvas<'_, '_> {
         self.band.held(self.square.covered_rows())
     }
 
-    /// Whether any pixel of a square is drawn here: in this band, and not hidden.
-    pub fn is_seen(&self, square: &Square) -> bool {
+    /// The number of pixels of a square that are drawn here: in this band, and not hidden.
+    #[inline(always)]
+    pub fn seen_pixels(&self, square: &Square) -> usize {
         let rows = self.band.held(square.covered_rows());
-        if square.pixels == 0 || rows.is_empty() {
-            return false;
+        let is_shown = self.band.depths.is_empty() && rows == square.covered_rows();
+        if is_shown || square.pixels == 0 {
+            return square.pixels;
         }
-        self.band.depths.is_empty()
-            || self.spans.clipped(rows, square.columns).any(|(row, span)| {
-                let mut ids = self.band.triangles[self.band.indices(row, &span)].iter();
-                ids.any(|id| face(*id) == face(self.id))
-            })
+        let spans = self.spans.clipped(rows, square.columns);
+        let seen = spans.map(|(row, span)| {
+            if self.band.depths.is_empty() {
+                return span.len();
+            }
+            let ids = self.band.triangles[self.band.indices(row, &span)].iter();
+            let seen = ids.map(|id| u32::from(face(*id) == face(self.id)));
+            seen.sum::<u32>() as usize
+        });
+        seen.sum()
     }
 
     /// Whether all pixels of the square are drawn, as bytes.
     pub fn is_whole(&self) -> bool {
-        self.band.depths.is_empty()
-            && !self.band.pixels.is_empty()
-            && self.square.is_whole()
-            && self.rows().len() == self.square.side
+        !self.band.pixels.is_empty() && self.seen == self.square.side * self.square.side
     }
 
     /// Lists the pixels of the square at which the piece is visible. Returns the number of strips that these pixels lie in.
@@ -141,7 +146,7 @@ impl Canvas<'_, '_> {
 
     /// A bit for each of the sixteen pixels from `first` in a row: whether `span` covers it and it shows this face.
     #[inline(always)]
-    fn seen(&self, first: usize, row: usize, span: Range<usize>) -> u32 {
+    fn seen_lanes(&self, first: usize, row: usize, span: Range<usize>) -> u32 {
         let covered = (1 << (span.end - first)) - (1 << (span.start - first));
         if self.band.triangles.is_empty() {
             return covered;
@@ -168,7 +173,7 @@ impl Canvas<'_, '_> {
                 if span.is_empty() {
                     continue;
                 }
-                let seen = self.seen(first, row, span);
+                let seen = self.seen_lanes(first, row, span);
                 self.counts.covered_pixels += u64::from(seen.count_ones());
                 let start = self.band.index(first, row);
                 let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);

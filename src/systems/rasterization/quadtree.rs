@@ -36,6 +36,7 @@ impl DrawList {
             spans,
             id: piece.id,
             square: small.unwrap_or_default(),
+            seen: 0,
             counts,
         };
         let strips = match small {
@@ -126,18 +127,18 @@ impl Canvas<'_, '_> {
         squares: &[Square; 4],
         scratch: &mut Scratch,
     ) {
-        let seen = squares.each_ref().map(|square| self.is_seen(square));
-        if !seen.contains(&true) {
+        let seen = outlined!(simd, four!(|index| self.seen_pixels(&squares[index])));
+        if seen == [0; 4] {
             return;
         }
         let places = Places::new(simd, squares, shader.face().rays.lens.half);
         let (interpolant, promising) = shader.prepare(simd, &places, true, scratch);
         let mut cut = [false; 4];
         for (index, square) in squares.iter().enumerate() {
-            if !seen[index] {
+            if seen[index] == 0 {
                 continue;
             }
-            self.square = *square;
+            (self.square, self.seen) = (*square, seen[index]);
             if let Some(interpolant) = &interpolant
                 && let Some(kind) = interpolant.kinds[index]
             {

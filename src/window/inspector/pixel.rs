@@ -4,7 +4,7 @@ use egui::color_picker::show_color;
 use egui::{Grid, Label, RichText, Ui, vec2};
 
 use crate::components::range::Shininess;
-use crate::components::{Material, Name};
+use crate::components::{Material, Name, ShadingMode};
 use crate::frame::display_pixel;
 use crate::paint::color;
 use crate::probe::ProbedSurface;
@@ -23,7 +23,8 @@ impl App {
             return;
         };
         ui.horizontal(|ui| {
-            ui.strong(format!("pixel {x}, {y}"));
+            let [width, height] = self.picture_size();
+            ui.strong(format!("pixel {x}, {y} of {width}x{height}"));
             if ui.small_button("close").clicked() {
                 self.viewer_mut().pixel = None;
             }
@@ -42,6 +43,9 @@ impl App {
         let object = &surface.object;
         ui.label(format!("{object}, {}", surface.triangle_label()));
         verdict(ui, surface);
+        if surface.drawn.mode == ShadingMode::Phong {
+            ui.weak("Gouraud shading instead:");
+        }
         for sentence in surface.cause().into_iter().flatten() {
             ui.label(sentence);
         }

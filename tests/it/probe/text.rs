@@ -25,16 +25,20 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
         // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
         (HIGHLIGHT, |_| (), "No vertex lies in the highlight"),
         // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
-        (HIGHLIGHT, wide, "(o.r)^1 of specular rises"),
+        (HIGHLIGHT, wide, "(o.r)^1 of light specular rises"),
         // Ambient light is the same everywhere.
         (HIGHLIGHT, ambient, "Light changes nearly linearly"),
         (HIGHLIGHT, dark, "No light"),
         // The light is behind the face: n.l is 0 at all of its corners but those that lean to it.
-        ([480, 300], only_white, "white is behind a vertex"),
+        (
+            [480, 300],
+            only_white,
+            "A vertex faces away from light white",
+        ),
         // A lamp before the middle of the face shines past its corners' normals.
-        ([485, 380], lamp, "The surface faces white more"),
+        ([485, 380], lamp, "The surface faces light white more"),
         // Blue agrees within a level, red is 21 off.
-        ([480, 300], |_| (), "red is behind a vertex"),
+        ([480, 300], |_| (), "A vertex faces away from light red"),
     ];
     for (pixel, change, beginning) in cases {
         // The picture's own mode may be Phong: interpolation is still what is explained.

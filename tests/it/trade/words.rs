@@ -33,7 +33,7 @@ usual 0: 2.3 times faster|half a level|off by 165 -- about as fast
 usual 1: 2.2 times faster than exact Phong|off by 0.500|Gouraud is 2.3 times faster than it, off by 165 -- slower
 usual 2: 2.2 times slower than Phong within half a level|off by 0 |Gouraud is 5 times faster -- 2.3
 alike 0: about as fast|half a level|off by 165 -- times
-as-fast 0: 2.3 times faster than exact Phong -- half
+as-fast 0: 2.3 times faster than Phong within half a level -- exact
 as-fast 1: about as fast as exact Phong|Gouraud is 2.3 times -- slower
 as-fast 2: about as fast as Phong within half a level|Gouraud is 2.3 times -- 2.2
 faster 1: 1.5 times slower|exact Phong -- as fast
@@ -73,7 +73,7 @@ fn the_sentence_states_only_measured_facts() {
     }
     for one in &noisy {
         let text = sentence(&noisy, one.method).expect("it is measured");
-        assert!(text.contains("not measurably"), "{text}");
+        assert!(text.contains("perhaps"), "{text}");
     }
 }
 

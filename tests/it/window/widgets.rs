@@ -60,6 +60,10 @@ fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
     click_at(harness, number(harness, label, column));
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     harness.event(egui::Event::Text(text.to_owned()));
+    let before = record(harness);
+    harness.run_ok();
+    let is_applied = record(harness) != before;
+    assert!(!is_applied || label == "tolerance", "{text} is not entered");
     harness.key_press(Key::Enter);
     harness.run_ok();
 }
@@ -124,6 +128,11 @@ fn every_button_does_what_its_key_does() {
     harness.drop_at(hold);
     harness.run_ok();
     assert!(harness.state().turn().is_none());
+    // A key that presses the widget with the focus does nothing else.
+    harness.get_by_label_contains("reset view").focus();
+    harness.key_press(Key::Space);
+    harness.run_ok();
+    assert!(!harness.state().viewer().turns);
 }
 
 #[test]
