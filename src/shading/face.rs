@@ -217,7 +217,7 @@ impl<'a> Face<'a> {
 
     /// Whether it is steady where w is at least `least`.
     pub fn is_steady(&self, least: f64) -> bool {
-        least > 0.0 && least > self.least_steady()
+        least > self.least_steady()
     }
 
     /// The place (u, v) that the pixel at `x`, `y` shows, and whether it was clamped to the face. Only places beside a sliver

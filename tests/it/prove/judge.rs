@@ -119,10 +119,8 @@ fn a_pixel_shows_one_of_its_faces_in_the_levels_of_that_face() {
     ] {
         let (mark, _) = judge(shown(face, level), seen, limit);
         assert_eq!(mark.verdict, expected, "{seen:?} {face:?} {level}");
-        assert_eq!(
-            mark.is_outline,
-            seen[0].face() != seen[seen.len() - 1].face()
-        );
+        let [first, last] = [&seen[0], &seen[seen.len() - 1]].map(Seen::face);
+        assert_eq!(mark.is_outline, first != last);
         assert_eq!(mark.is_covered, face.is_some());
     }
 }

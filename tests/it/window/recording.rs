@@ -251,10 +251,8 @@ fn mistakes_are_reported_with_their_place() {
     for row in MISTAKES.lines().skip(1) {
         let (line, words) = row.split_once(" ¦ ").expect("a line and its error");
         let error = error(&log(&format!("1.000 say \"ok\"\n{line}\n")));
-        assert!(
-            error.starts_with("a.log:3: ") && error.contains(words) && !error.contains(" at line"),
-            "{line}: {error}"
-        );
+        let is_told = error.starts_with("a.log:3: ") && error.contains(words);
+        assert!(is_told && !error.contains(" at line"), "{line}: {error}");
     }
     for text in [
         "",
