@@ -209,15 +209,24 @@ impl Proof {
             self.worst = self.worst.max(error);
         } else {
             let same = seen.iter().find(|seen| seen.face() == shown.face);
+            let face = same.unwrap_or(&seen[0]).face();
+            // Where a face has several enclosures, the exact value lies in one of them.
+            let same = seen.iter().filter(|seen| seen.face() == face);
+            let enclosures = same.map(|seen| ends(seen.levels));
+            let enclosure = enclosures.reduce(|one, other| {
+                [0, 1, 2].map(|channel| {
+                    let ([a, b], [c, d]) = (one[channel], other[channel]);
+                    [a.min(c), b.max(d)]
+                })
+            });
             let nearest = nearest(shown.face, shown.levels, seen);
-            let of = same.unwrap_or(&seen[0]);
             self.examples.push(Example {
                 pixel,
                 verdict: mark.verdict,
                 drawn: shown.levels.map(displayed),
-                enclosure: ends(of.levels),
+                enclosure: enclosure.unwrap_or_default(),
                 error: nearest.unwrap_or([255.0; 2]),
-                face: of.face(),
+                face,
             });
         }
         self.marks.push(mark);

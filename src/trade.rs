@@ -37,6 +37,7 @@ use rayon::prelude::*;
 use self::machine::Machine;
 pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
+use crate::components::ShadingMode;
 use crate::drawing::camera_name;
 use crate::output::{self, Output, quoted};
 use crate::report::Monitor;
@@ -84,16 +85,21 @@ pub fn measure(
 /// Errors with a smaller difference, in levels, are equal. The rounding of the reference in f64 is far smaller.
 const RESOLUTION: f64 = 1e-6;
 
-/// Marks the methods on the front. A method without an error is not.
+/// Marks the methods on the front. A method without an error is not, nor is interpolation of unit vectors, whose time is not
+/// comparable.
 pub fn mark_front(methods: &mut [Measurement]) {
     for index in 0..methods.len() {
         let one = &methods[index];
         let is_beaten = methods.iter().any(|other| beats(other, one));
-        methods[index].on_front = one.error.is_some() && !is_beaten;
+        let is_comparable = one.error.is_some() && one.method.mode != ShadingMode::UnitVectors;
+        methods[index].on_front = is_comparable && !is_beaten;
     }
 }
 
 fn beats(one: &Measurement, other: &Measurement) -> bool {
+    if one.method.mode == ShadingMode::UnitVectors {
+        return false;
+    }
     let steps = |it: &Measurement| it.largest_error().map(|error| (error / RESOLUTION).round());
     let [mine, theirs] = [one, other].map(steps);
     mine <= theirs

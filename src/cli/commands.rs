@@ -2,14 +2,14 @@
 //!
 //! A message about a wrong value names the legal values.
 
+use std::ffi::OsStr;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::Context;
 use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
-use image::ImageFormat;
 
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
@@ -40,7 +40,7 @@ pub struct ReplayOptions {
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
     /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
-    #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
+    #[arg(short, long, value_name = "FILE", value_parser = file(PNG_OR_APNG))]
     pub output: Option<Output>,
     /// Prints the time and a hash of the picture of every frame
     #[arg(long)]
@@ -63,7 +63,7 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub budget: BudgetOption,
     /// The PNG file; `-` for standard output
-    #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
+    #[arg(short, long, value_name = "FILE", value_parser = file(PNG))]
     pub output: Output,
     /// Draws with the f64 reference instead of the renderer, without use of --tolerance, --budget and --simd
     #[arg(long)]
@@ -153,7 +153,7 @@ pub struct ProveOptions {
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
     /// The PNG file of the verdicts
-    #[arg(short, long, value_name = "FILE", value_parser = picture_file())]
+    #[arg(short, long, value_name = "FILE", value_parser = file(PNG))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -183,7 +183,7 @@ pub struct RequiresOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The file for the least scene that keeps the tolerance
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", value_parser = file(TOML))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -214,12 +214,26 @@ pub struct ExtremesOptions {
 /// The default folder for figures.
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
-/// Refuses a name that ends like another format: pictures are PNG files.
-fn picture_file() -> impl TypedValueParser<Value = Output> {
-    OsStringValueParser::new().try_map(|path| match ImageFormat::from_path(&path) {
-        _ if path.is_empty() => Err("a file needs a name"),
-        Ok(ImageFormat::Png) | Err(_) => Ok(Output::from(path)),
-        Ok(_) => Err("pictures are written as PNG; give a name that ends in .png"),
+/// The endings of output files.
+const PNG: Endings = (&["png"], "a PNG file is written; its name ends in .png");
+const PNG_OR_APNG: Endings = (
+    &["png", "apng"],
+    "a PNG file is written; its name ends in .png, or in .apng for all frames",
+);
+const TOML: Endings = (&["toml"], "a scene is written; its name ends in .toml");
+/// Legal endings, and a sentence about them.
+type Endings = (&'static [&'static str], &'static str);
+
+/// Refuses a name that ends like a file of another kind: a picture must not replace a scene. A name needs no ending.
+fn file((endings, message): Endings) -> impl TypedValueParser<Value = Output> {
+    OsStringValueParser::new().try_map(move |path| {
+        let ending = Path::new(&path).extension();
+        let is_legal = |ending: &OsStr| endings.iter().any(|it| ending.eq_ignore_ascii_case(it));
+        match path.is_empty() {
+            true => Err("a file needs a name"),
+            false if ending.is_none_or(is_legal) => Ok(Output::from(path)),
+            false => Err(message),
+        }
     })
 }
 

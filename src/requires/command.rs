@@ -58,6 +58,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
     let record = json!({
         "scene": drawing.scene.name,
         "tolerance": view.tolerance,
+        "views": 1,
         "parts": rows,
         "bits": stages,
     });
@@ -160,7 +161,7 @@ fn write_least(
     rows.retain(|row| left_out.contains(&row.found.part));
     let names: Vec<String> = rows.into_iter().map(|row| row.found.name).collect();
     let found = if names.is_empty() {
-        "no part is proven to be unnecessary".to_owned()
+        "no light, cuboid or Phong shading can be left out".to_owned()
     } else {
         let (names, most) = (names.join(", "), (1e4 * change.most()).ceil() / 1e4);
         format!("left out: {names}; errs at most {most} levels, proven")

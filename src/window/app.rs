@@ -184,8 +184,7 @@ impl App {
         if begins {
             self.history.end_step();
             // The press may change the picture, and frames that are being timed would delay it.
-            self.works[1]
-                .take_if(|work| matches!(work.question, Question::Measure | Question::Refine));
+            self.works[1].take_if(|work| work.question == Question::Measure);
         }
         self.spin_on();
         match self.file.look(now) {

@@ -14,7 +14,6 @@ use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
 use crate::requires::PartChange;
-use crate::requires::bits::StageBits;
 use crate::trade::Measurement;
 
 /// The last value found, perhaps of an earlier picture.
@@ -53,11 +52,8 @@ pub struct Facts {
     pub comparison: Latest<Comparison>,
     pub proof: Latest<Proof>,
     pub required: Latest<Vec<PartChange>>,
-    pub bits: Latest<Vec<StageBits>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Latest<Vec<Measurement>>,
-    /// Whether the times of the trade were measured a second time, for longer.
-    pub is_refined: bool,
 }
 
 impl Facts {
@@ -67,9 +63,7 @@ impl Facts {
         self.comparison.is_current = false;
         self.proof.is_current = false;
         self.required.is_current = false;
-        self.bits.is_current = false;
         self.trade.is_current &= is_same_view;
-        self.is_refined &= is_same_view;
     }
 }
 
@@ -83,10 +77,6 @@ pub enum Question {
     Measure,
     Prove,
     Require,
-    /// The bits that each stage of the model requires.
-    Bits,
-    /// The timing of all methods, for longer.
-    Refine,
 }
 
 /// The threads that probe, and those that answer all other questions; one core is left for the window.

@@ -4,8 +4,6 @@ mod pixel;
 mod scene;
 mod section;
 
-use std::iter;
-
 use egui::{Grid, ProgressBar, ScrollArea, Ui};
 
 use super::app::App;
@@ -13,7 +11,6 @@ use super::facts::Latest;
 use super::widgets::{ink, short};
 use crate::components::Tab;
 use crate::requires::PartChange;
-use crate::requires::bits::StageBits;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
@@ -61,8 +58,7 @@ impl App {
              tolerance {tolerance} requires the part."
         ));
         let facts = &self.facts;
-        // The bits are found after the parts.
-        self.wait(ui, &facts.bits);
+        self.wait(ui, &facts.required);
         let part = |part: &PartChange| {
             let is_kept = part.change.keeps(tolerance);
             let verdict = if is_kept { "not required" } else { "required" };
@@ -71,15 +67,6 @@ impl App {
         };
         let parts = facts.required.value.iter().flatten().map(part);
         Self::table(ui, "required", &facts.required, parts);
-        ui.separator();
-        ui.label(
-            "The fewest bits of significand that each stage needs, with the largest error in levels of \
-             255, proven; and whether f16, bf16 and f32 keep the tolerance. The other stages are in f64.",
-        );
-        let head = ["stage", "bits", "error", "f16", "bf16", "f32"].map(str::to_owned);
-        let stages = facts.bits.value.iter().flatten().map(StageBits::cells);
-        let rows = iter::once(head.to_vec()).chain(stages);
-        Self::table(ui, "bits", &facts.bits, rows);
     }
 
     /// Lays out a table about a fact.

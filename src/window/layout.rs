@@ -111,7 +111,7 @@ impl App {
             };
             let mode = self.method().map(|it| Method::of(it.mode, 0.0));
             let exact = mode.map_or("its exact mode".to_owned(), method_name);
-            let text = format!("{share} proven within {} of {exact}", short(it.limit));
+            let text = format!("{share} proven within {} of {exact}", it.limit);
             fact(text, ink, proof.is_current, PROVEN);
         }
     }

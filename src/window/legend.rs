@@ -1,7 +1,7 @@
 //! The meaning of the colours of the error map and of tiles.
 
 use egui::color_picker::show_color;
-use egui::{Color32, Sense, Ui, vec2};
+use egui::{Color32, Grid, Sense, Ui, vec2};
 
 use super::app::App;
 use super::pictures::TINTS;
@@ -17,9 +17,13 @@ impl App {
             ViewMode::Error => self.error_legend(ui),
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
-                ui.horizontal_wrapped(|ui| {
-                    for ((kind, tint), count) in TileKind::ALL.iter().zip(TINTS).zip(counts) {
+                let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
+                Grid::new("tiles").show(ui, |ui| {
+                    for (index, ((kind, tint), count)) in kinds.enumerate() {
                         swatch(ui, tint, &format!("{count} {}", kind.name()));
+                        if index % 2 == 1 {
+                            ui.end_row();
+                        }
                     }
                 });
             }

@@ -15,7 +15,7 @@ use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
-use crate::requires::{bits::bits, ranked};
+use crate::requires::ranked;
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade::batch::time_here;
@@ -23,9 +23,8 @@ use crate::trade::{Measurement, Request, measure};
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
-/// How long the frames of all methods are timed together, at first and once all else is answered.
+/// How long the frames of all methods are timed together.
 const TIMING: Duration = Duration::from_secs(1);
-const LONG_TIMING: Duration = Duration::from_secs(4);
 
 impl App {
     /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there are
@@ -72,11 +71,6 @@ impl App {
                 |facts| &mut facts.required,
                 |scene, view, monitor| ranked(scene, view, monitor),
             );
-            self.find(
-                Question::Bits,
-                |facts| &mut facts.bits,
-                |scene, view, monitor| bits(scene, view, monitor),
-            );
         }
     }
 
@@ -86,15 +80,12 @@ impl App {
         let is_known = |it: &Method| self.measured(*it).is_some();
         let trade = &self.facts.trade;
         let known = trade.current().cloned().unwrap_or_default();
-        let all_known = trade.is_current && (known.is_empty() || methods.iter().all(is_known));
-        let (question, time) = match all_known {
-            true if self.facts.is_refined => return,
-            true => (Question::Refine, LONG_TIMING),
-            false => (Question::Measure, TIMING),
-        };
+        if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
+            return;
+        }
         let (threads, level) = (self.threads, self.level);
         self.find(
-            question,
+            Question::Measure,
             |facts| &mut facts.trade,
             move |scene, view, monitor| {
                 let request = Request {
@@ -105,7 +96,7 @@ impl App {
                         level,
                     },
                     methods,
-                    time,
+                    time: TIMING,
                     is_report: false,
                 };
                 measure(&request, &known, time_here, monitor)
@@ -122,8 +113,7 @@ impl App {
         find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
     ) {
         let is_probe = question == Question::Probe;
-        let is_trade = matches!(question, Question::Measure | Question::Refine);
-        let is_open = is_trade || !place(&mut self.facts).is_current;
+        let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
         let index = usize::from(!is_probe);
         let work = self.works[index].as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
@@ -157,7 +147,6 @@ impl App {
             if let Some(reason) = answer(&mut self.facts) {
                 self.say(reason);
             }
-            self.facts.is_refined |= question == Question::Refine;
             if question == Question::Probe && self.desk.clicked.take().is_some() {
                 let first = self.facts.section.value.iter().flatten().next();
                 let object = first.and_then(|probe| Some(probe.surface.as_ref()?.object.clone()));

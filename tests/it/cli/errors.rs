@@ -42,9 +42,9 @@ const FAILURES: &str = r#"
 2  view key.toml  ->  key.toml:1:1: |colour|^^^^^^
 # Outputs.
 2  render -o b.jpg  ->  b.jpg|PNG
-2  prove -o b.GIF  ->  b.GIF|PNG
-2  render ./a.toml -o a.toml  ->  is the input itself
-2  prove a.toml -o sub/../a.toml  ->  is the input itself
+2  prove -o b.toml  ->  b.toml|.png
+2  requires -o b.png  ->  b.png|.toml
+2  requires a.toml -o sub/../a.toml  ->  is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
 1  requires -o sub  ->  sub|directory
 1  render --size 9x9 -o none/  ->  none/|directory
@@ -65,7 +65,7 @@ const FAILURES: &str = r#"
 # Recordings.
 2  replay absent.log  ->  absent.log
 2  replay quit.log  ->  quit.log:1:|`quit`
-2  replay quit.log -o quit.log  ->  the input itself
+2  replay quit.log -o quit.log  ->  quit.log|.apng
 2  replay quit.log --idle -1  ->  86400
 # Without a display a scene is found and read, but not shown.
 1  ./render  ->  no display|shadetrade render ./render -o

@@ -20,7 +20,7 @@ fn a_file_is_made_or_replaced_and_nothing_is_left_beside_it() {
         "sub/../b.PNG",
         "./-",
         "no-extension",
-        "c.v2",
+        "c.v2.png",
         absolute,
         &long,
     ] {

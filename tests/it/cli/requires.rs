@@ -11,6 +11,7 @@ use super::{SCENE, cube, decode, folder, get, json, listing, put, run, said};
 struct Found {
     scene: String,
     tolerance: f64,
+    views: usize,
     parts: Vec<LeftOut>,
     bits: Vec<Rounded>,
 }
@@ -49,7 +50,10 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
     let (status, found) = json(folder().path(), line);
     assert_eq!(status, Some(0));
     let found: Found = serde_json::from_value(found).expect("the keys of the contract");
-    assert_eq!((&*found.scene, found.tolerance), ("cuboid", 4.0));
+    assert_eq!(
+        (&*found.scene, found.tolerance, found.views),
+        ("cuboid", 4.0, 1)
+    );
     // Whether the renderer can draw without it, so that its time is known.
     let expected = [
         ("light white", true),

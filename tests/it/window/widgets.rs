@@ -185,29 +185,6 @@ fn the_tolerance_is_typed_and_dragged() {
 }
 
 #[test]
-fn the_required_tab_has_a_row_for_each_stage_with_the_errors_of_three_formats() {
-    let size = [430, 100];
-    let mut harness = widgets(app(default_scene(), size, Level::new()), size);
-    harness.key_press(Key::N);
-    harness.run_ok();
-    harness.state_mut().ask();
-    harness.run_ok();
-    let rows = harness.state().facts.bits.current().cloned();
-    let rows = rows.expect("an answer");
-    let labels = harness.query_all_by(|node| node.role() == Role::Label);
-    let texts: Vec<String> = labels
-        .filter_map(|node| node.accesskit_node().value())
-        .collect();
-    assert_eq!(rows.len(), 6);
-    for row in &rows {
-        let cells = row.cells();
-        assert!(texts.windows(6).any(|found| found == cells), "{row:?}");
-    }
-    let normals = &rows[1].formats;
-    assert!(!normals[0].keeps && normals[2].keeps, "{normals:?}");
-}
-
-#[test]
 fn entities_are_copied_renamed_and_deleted() {
     let mut harness = open();
     harness.key_press(Key::E);
