@@ -212,11 +212,8 @@ fn a_section_is_every_pixel_of_the_row_on_one_face() {
         let face = |probe: &Probe| probe.surface.as_ref().map(|it| it.triangle / 2);
         let own = face(&at(&mut scene, pixel));
         assert!(section.iter().all(|probe| face(probe) == own));
-        assert_eq!(
-            section.len() == 1,
-            own.is_none(),
-            "the background is one pixel"
-        );
+        // The background is one pixel.
+        assert_eq!(section.len() == 1, own.is_none());
         if own.is_some() {
             for beside in [first - 1, first + section.len()] {
                 assert_ne!(face(&at(&mut scene, [beside, pixel[1]])), own);

@@ -30,10 +30,8 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
         saved.expect("it is written");
         let line = format!("prove {SMALL} --picture {name} --json -o map.png");
         let (status, proof) = json(folder, &line);
-        assert_eq!(
-            (&proof["size"], &proof["limit"]),
-            (&json!(size), &json!(0.55))
-        );
+        assert_eq!(proof["size"], json!(size));
+        assert_eq!(proof["limit"], json!(0.55));
         if refuted > 0 {
             assert_eq!(status, Some(1));
             assert!(proof["refuted"].as_u64() >= Some(refuted as u64), "{proof}");

@@ -80,11 +80,8 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
         assert!(part.time_share.is_none_or(|share| share < 1.0), "{part:?}");
     }
     // Most of the frame's time is spent on the only cuboid.
-    assert!(
-        found.parts[8].time_share > Some(0.2),
-        "{:?}",
-        found.parts[8]
-    );
+    let cuboid = &found.parts[8];
+    assert!(cuboid.time_share > Some(0.2), "{cuboid:?}");
     assert_eq!((found.bits.len(), &*found.bits[1].stage), (6, "normals"));
     for stage in &found.bits {
         let is_proven = (2..=24).contains(&stage.bits) && stage.largest_error <= 4.0;

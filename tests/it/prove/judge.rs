@@ -72,11 +72,8 @@ fn the_display_clamps_both_sides() {
         (1e5, [254.0, 300.0], 0.5, Undecided),
     ] {
         let seen = [seen(Some(0), enclosure)];
-        assert_eq!(
-            verdict(shown(Some(0), level), &seen, limit),
-            expected,
-            "{level}"
-        );
+        let found = verdict(shown(Some(0), level), &seen, limit);
+        assert_eq!(found, expected, "{level}");
     }
 }
 

@@ -55,11 +55,8 @@ fn the_axis_is_the_middle_of_the_picture_and_half_the_field_of_view_its_edge() {
             ] {
                 let seen = seen(DVec3::NEG_Z + aside, size, &view);
                 let expected = expected.map(|pixel| pixel.map(|x| x * 256));
-                assert_eq!(
-                    seen.polygons[FRONT].vertices(),
-                    expected,
-                    "{projection:?}, {fov}"
-                );
+                let found = seen.polygons[FRONT].vertices();
+                assert_eq!(found, expected, "{projection:?}, {fov}");
             }
         }
     }

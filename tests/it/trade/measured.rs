@@ -79,11 +79,8 @@ fn an_ordinary_view_gives_a_report_within_the_contract() {
     assert!(report.covered_pixels > 500);
     for one in &report.methods {
         let own = one.own_error.as_ref().map(|error| error.max);
-        assert!(
-            own <= Some(one.tolerance.max(0.05)),
-            "{own:?} of {}",
-            one.id
-        );
+        let limit = Some(one.tolerance.max(0.05));
+        assert!(own <= limit, "{own:?} of {}", one.id);
     }
     let find = |id| report.methods.iter().find(|one| one.id == id);
     let found = ["phong-0", "gouraud-0", "phong-unit-vectors"].map(|id| find(id).expect(id));

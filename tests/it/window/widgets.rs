@@ -303,11 +303,8 @@ fn the_shininess_beside_the_section_is_the_cuboids_and_undone_like_any_edit() {
     window.press(Key::Enter);
     assert_eq!(window.record().cuboid[0].material.shininess, 5.0);
     let surface = window.app.probed().and_then(|probe| probe.surface.clone());
-    assert_eq!(
-        surface.expect("a cuboid").shininess,
-        5.0,
-        "the section follows"
-    );
+    let shininess = surface.expect("a cuboid").shininess;
+    assert_eq!(shininess, 5.0, "the section follows");
     window.undo();
     assert_eq!(window.record(), before);
 }
