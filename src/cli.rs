@@ -53,7 +53,9 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Opens a window on a scene; without a display, draws the figures instead
-    #[command(after_help = "\
+    #[command(
+        mut_arg("size", |argument| argument.help("The size of the window in pixels, 1x1 to 16384x16384")),
+        after_help = "\
 Examples:
   shadetrade view assignment --camera 2 --shading phong
   shadetrade view --record lesson.log")]

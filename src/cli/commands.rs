@@ -215,23 +215,32 @@ pub struct ExtremesOptions {
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
 /// The endings of output files.
-const PNG: Endings = (&["png"], "a PNG file is written; its name ends in .png");
+const PNG: Endings = (
+    &["png"],
+    "a PNG file is written; its name ends in .png, or has no ending",
+);
 const PNG_OR_APNG: Endings = (
     &["png", "apng"],
-    "a PNG file is written; its name ends in .png, or in .apng for all frames",
+    "a PNG file is written; its name ends in .png, in .apng for all frames, or has no ending",
 );
-const TOML: Endings = (&["toml"], "a scene is written; its name ends in .toml");
+const TOML: Endings = (
+    &["toml"],
+    "a scene is written; its name ends in .toml, or has no ending",
+);
 /// Legal endings, and a sentence about them.
 type Endings = (&'static [&'static str], &'static str);
 
-/// Refuses a name that ends like a file of another kind: a picture must not replace a scene. A name needs no ending.
+/// Refuses a name that ends like a file of another kind: a picture must not replace a scene. A name needs no ending, and that of
+/// a pipe or a device may have any.
 fn file((endings, message): Endings) -> impl TypedValueParser<Value = Output> {
     OsStringValueParser::new().try_map(move |path| {
+        let found = Path::new(&path).metadata();
+        let is_special = found.is_ok_and(|it| !it.is_file() && !it.is_dir());
         let ending = Path::new(&path).extension();
         let is_legal = |ending: &OsStr| endings.iter().any(|it| ending.eq_ignore_ascii_case(it));
         match path.is_empty() {
             true => Err("a file needs a name"),
-            false if ending.is_none_or(is_legal) => Ok(Output::from(path)),
+            false if is_special || ending.is_none_or(is_legal) => Ok(Output::from(path)),
             false => Err(message),
         }
     })

@@ -121,7 +121,7 @@ mod unix {
     #[test]
     fn pipes_and_devices_are_written_directly() {
         let folder = folder();
-        let pipe = folder.path().join("pipe");
+        let pipe = folder.path().join("pipe.fifo");
         let made = Command::new("mkfifo").arg(&pipe).status();
         assert!(made.expect("there is such a program").success());
         let path = pipe.clone();
@@ -130,13 +130,13 @@ mod unix {
             let read = fs::File::open(path).and_then(|mut pipe| pipe.read_to_end(&mut bytes));
             read.map(|_| bytes)
         });
-        assert_works(folder.path(), &format!("{SMALL} pipe"));
+        assert_works(folder.path(), &format!("{SMALL} pipe.fifo"));
         decode(&reader.join().expect("no panic").expect("it is read"));
         assert!(!pipe.is_file());
         assert_works(folder.path(), &format!("{SMALL} /dev/null"));
         let output = run(folder.path(), &format!("{SMALL} /dev/full"));
         assert_failed(&output, 1, "/dev/full|No space left");
-        assert_eq!(listing(folder.path()), ["pipe"]);
+        assert_eq!(listing(folder.path()), ["pipe.fifo"]);
     }
 
     #[test]
