@@ -88,18 +88,16 @@ const RESOLUTION: f64 = 1e-6;
 /// Marks the methods on the front. A method without an error is not, nor is interpolation of unit vectors, whose time is not
 /// comparable.
 pub fn mark_front(methods: &mut [Measurement]) {
+    let is_comparable =
+        |it: &&Measurement| it.error.is_some() && it.method.mode != ShadingMode::UnitVectors;
     for index in 0..methods.len() {
         let one = &methods[index];
-        let is_beaten = methods.iter().any(|other| beats(other, one));
-        let is_comparable = one.error.is_some() && one.method.mode != ShadingMode::UnitVectors;
-        methods[index].on_front = is_comparable && !is_beaten;
+        let mut others = methods.iter().filter(is_comparable);
+        methods[index].on_front = is_comparable(&one) && !others.any(|other| beats(other, one));
     }
 }
 
 fn beats(one: &Measurement, other: &Measurement) -> bool {
-    if one.method.mode == ShadingMode::UnitVectors {
-        return false;
-    }
     let steps = |it: &Measurement| it.largest_error().map(|error| (error / RESOLUTION).round());
     let [mine, theirs] = [one, other].map(steps);
     mine <= theirs

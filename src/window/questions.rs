@@ -138,8 +138,8 @@ impl App {
         let mut is_new = self.works[1].is_some() && now >= self.next_progress;
         for index in 0..2 {
             let work = self.works[index].as_ref();
-            let answer = work.and_then(|work| Some((work.question, work.answer.try_recv().ok()?)));
-            let Some((question, answer)) = answer else {
+            let answer = work.and_then(|work| work.answer.try_recv().ok());
+            let Some(answer) = answer else {
                 continue;
             };
             is_new = true;
@@ -147,13 +147,14 @@ impl App {
             if let Some(reason) = answer(&mut self.facts) {
                 self.say(reason);
             }
-            if question == Question::Probe && self.desk.clicked.take().is_some() {
-                let first = self.facts.section.value.iter().flatten().next();
-                let object = first.and_then(|probe| Some(probe.surface.as_ref()?.object.clone()));
-                self.desk.selected = object
-                    .map(|name| ("cuboid", name))
-                    .or(self.desk.selected.take());
-            }
+        }
+        // A pixel in the row of the one before needs no new answer.
+        if self.facts.section.is_current && self.desk.clicked.take().is_some() {
+            let surface = self.probed().and_then(|probe| probe.surface.as_ref());
+            let object = surface.map(|surface| surface.object.clone());
+            self.desk.selected = object
+                .map(|name| ("cuboid", name))
+                .or(self.desk.selected.take());
         }
         if is_new {
             self.next_progress = now + PROGRESS;

@@ -61,6 +61,11 @@ fn a_click_selects_in_the_scenes_tab() {
     window.click(window.app.place.center());
     assert_eq!(selected(&window), Some(("cuboid", "emerald".to_owned())));
     assert_eq!(window.app.viewer().inspector, Some(Tab::Scene));
+    // A pixel of the same row, which is probed already.
+    window.click(place_of(&window, "near"));
+    window.click(window.app.place.center() + vec2(8.0, 0.0));
+    window.step(Vec::new());
+    assert_eq!(selected(&window), Some(("cuboid", "emerald".to_owned())));
     // The pixel is probed again after a change; what is selected stays.
     window.click(place_of(&window, "near"));
     window.press(Key::G);
