@@ -1,7 +1,7 @@
 //! Shading of a face: the methods, the illumination model, and the evaluation of squares of pixels within a tolerance.
 //!
 //! A face is drawn in squares of 32 x 32 pixels, each by the cheapest way whose error is proven to stay within the tolerance.
-//! A face that fits into 16 x 16 pixels is evaluated at every pixel; so is every square at tolerance 0.
+//! A face that fits into 16 x 16 pixels is evaluated at every pixel. So are squares with few pixels, and all at tolerance 0.
 //!
 //! ```text
 //! draw(square):

@@ -66,7 +66,7 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
         let said = assert_works(folder.path(), &line);
         (get(folder.path(), "a.png"), said)
     };
-    let draw = |words: &str| draw_at("64x48", words);
+    let draw = |words: &str| draw_at("160x120", words);
     let (exact, _) = draw("--shading phong --tolerance 0");
     // Everything fits, and nothing does.
     let (picture, words) = draw("held.toml");

@@ -37,7 +37,7 @@ fn still_life_at(scale: f64, shift: DVec3) -> (World, Vec<View>) {
     for transform in world.query_mut::<&mut Transform>() {
         transform.position = place(transform.position);
     }
-    let mut views = views([64, 48]);
+    let mut views = views([128, 96]);
     for view in &mut views {
         let camera = &mut view.camera;
         camera.position = place(camera.position);
@@ -73,7 +73,7 @@ fn cuboids(all: &[([f64; 3], [f64; 3])]) -> (World, Vec<View>) {
     for (size, rotation) in all {
         spawn_cuboid(&mut world, (*size).into(), turned(*rotation), MATERIAL);
     }
-    (world, views([64, 48]))
+    (world, views([128, 96]))
 }
 
 /// 1e9 degrees are 2777777 turns and 280 degrees. The float nearest to 1e100 is an integer with a remainder of 64
@@ -116,7 +116,7 @@ fn a_near_plane_in_the_plane_of_a_face_clips_nothing_of_it() {
             shine(&mut world, kind, 90.0, DVec3::splat(10.0));
         }
         let views = Projection::ALL.into_iter().flat_map(|projection| {
-            let mut view = view([64, 48], DVec3::Z * 10.0, DVec3::ZERO, projection);
+            let mut view = view([128, 96], DVec3::Z * 10.0, DVec3::ZERO, projection);
             view.camera.near = Some(near);
             [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| view.shaded(mode))
         });

@@ -16,7 +16,7 @@ use crate::support::cases::cases;
 use crate::support::random::Random;
 use crate::support::scene::{self, empty, shine, spawn_cuboid, spawn_light, truth, turned};
 
-const SIZE: [usize; 2] = [48, 36];
+const SIZE: [usize; 2] = [96, 72];
 
 /// The stored scenes, one per line: tolerance, mode, numbers.
 const FOUND: &str = include_str!("search/found.txt");
