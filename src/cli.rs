@@ -11,9 +11,10 @@ pub mod options;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
+use clap::error::ContextKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use rayon::ThreadPoolBuilder;
@@ -21,6 +22,7 @@ use rayon::ThreadPoolBuilder;
 use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::output::Output;
+use crate::scene::BUILT_IN;
 pub use commands::{
     DEFAULT_FIGURES, ExtremesOptions, ProbeOptions, ProveOptions, RenderOptions, ReplayOptions,
     RequiresOptions, TradeOptions, ViewOptions,
@@ -143,6 +145,22 @@ threads.")]
 }
 
 impl Command {
+    /// Checks that no two results go to standard output.
+    fn check_standard_output(&self) -> Result<(), Failure> {
+        let (file, option) = match self {
+            Command::Prove(it) if it.json => (&it.output, "--json"),
+            Command::Requires(it) if it.json => (&it.output, "--json"),
+            Command::Replay(it) if it.hash => (&it.output, "--hash"),
+            _ => return Ok(()),
+        };
+        if *file == Some(Output::Stdout) {
+            return Err(Failure::Usage(anyhow!(
+                "-o and {option} both write to standard output; give -o a file"
+            )));
+        }
+        Ok(())
+    }
+
     /// Starts the global threads of rayon, which evaluate the reference. The renderer starts its own threads.
     ///
     /// Otherwise rayon would start one per core on first use, and panic if that fails.
@@ -174,8 +192,16 @@ impl Command {
 /// # Errors
 /// If the command line is wrong, or the help cannot be printed.
 pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
+    let words: Vec<OsString> = words.into_iter().collect();
+    if let Some(error) = mistyped(&words) {
+        return Err(Failure::of(&error));
+    }
     match Arguments::try_parse_from(words) {
-        Ok(Arguments { command, view }) => Ok(Some(command.unwrap_or(Command::View(view)))),
+        Ok(Arguments { command, view }) => {
+            let command = command.unwrap_or(Command::View(view));
+            command.check_standard_output()?;
+            Ok(Some(command))
+        }
         Err(error) if error.use_stderr() => Err(Failure::of(&error)),
         Err(help) => match help.print().and_then(|()| io::stdout().flush()) {
             Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Work(
@@ -184,6 +210,19 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
             _ => Ok(None),
         },
     }
+}
+
+/// The error of a first word that is similar to a command. It would be read as the scene of `view`.
+fn mistyped(words: &[OsString]) -> Option<clap::Error> {
+    let word = words.get(1)?.to_str()?;
+    let is_scene = BUILT_IN.iter().any(|(name, _)| *name == word);
+    if is_scene || word.contains(['.', '/']) || Path::new(word).exists() {
+        return None;
+    }
+    let commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
+    let error = commands.try_get_matches_from(&words[..2]).err()?;
+    error.get(ContextKind::SuggestedSubcommand)?;
+    Some(error)
 }
 
 /// Prints the completion script of `shell` to standard output.

@@ -158,7 +158,7 @@ pub fn examine(extremes: &[Extreme], level: Level, monitor: Monitor) -> Vec<Outc
 /// If one of them fails, or the result cannot be printed.
 pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<()> {
     let outcomes = with_bar(|monitor| Ok(examine(extremes, level, monitor)))?;
-    print(&outcomes, as_json, || text(&outcomes))?;
+    print(&outcomes, as_json, None, || text(&outcomes))?;
     all_pass(&outcomes)
 }
 

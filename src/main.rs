@@ -84,9 +84,8 @@ fn probe(options: &ProbeOptions) -> Result<(), Failure> {
     }
     let (view, level) = (drawing.view(), drawing.level);
     let probe = probe::at(&mut drawing.scene, &view, [x, y], level).map_err(anyhow::Error::from)?;
-    Ok(output::print(&probe.json(), options.json, || {
-        probe.lines().join("\n")
-    })?)
+    let text = || probe.lines().join("\n");
+    Ok(output::print(&probe.json(), options.json, None, text)?)
 }
 
 /// Opens the window. Without a display it draws the figures if the command has no options.

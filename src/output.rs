@@ -81,6 +81,7 @@ impl Output {
 /// If the folder cannot be created or written to.
 pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     if !path.is_dir() {
+        ensure!(!path.exists(), "{} is a file, not a folder", path.display());
         check_folder(folder_of(path))
             .and_then(|()| Ok(fs::create_dir(path)?))
             .with_context(|| format!("cannot make the folder {}", path.display()))?;
@@ -106,21 +107,24 @@ pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(record)? + "\n")
 }
 
-/// Prints a record to standard output, as JSON or as `text`.
+/// Prints a record to standard output, as JSON or as `text`. Text goes to standard error if `file` takes standard output.
 ///
 /// # Errors
 /// As [`Output::write`].
 pub fn print<T: Serialize>(
     record: &T,
     as_json: bool,
+    file: Option<&Output>,
     text: impl FnOnce() -> String,
 ) -> anyhow::Result<()> {
-    let text = if as_json {
-        json(record)?
-    } else {
-        printable(&text()) + "\n"
-    };
-    Output::Stdout.write(text)
+    if as_json {
+        return Output::Stdout.write(json(record)?);
+    }
+    if file == Some(&Output::Stdout) {
+        say(&text());
+        return Ok(());
+    }
+    Output::Stdout.write(printable(&text()) + "\n")
 }
 
 /// Prints a line to standard error, so that standard output holds the result alone.

@@ -30,8 +30,10 @@ pub mod plot;
 pub mod timing;
 pub mod verdict;
 
+use std::fs;
 use std::path::Path;
 
+use anyhow::Context;
 use rayon::prelude::*;
 
 use self::machine::Machine;
@@ -43,7 +45,7 @@ use crate::output::{self, Output, quoted};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::report::words::counted;
-use crate::shading::Method;
+use crate::shading::{METHODS, Method};
 
 /// Times the batch with this number.
 pub type TimeBatch = fn(&Request, usize, Monitor) -> anyhow::Result<Batch>;
@@ -162,10 +164,18 @@ pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
         ("trade.svg", plot::svg(report)?),
     ];
     output::write_texts(folder, &files)?;
-    report.methods.par_iter().try_for_each(|one| {
-        let id = one.method.id;
-        let title = format!("{id}: error against exact Phong, in levels");
-        let (pixels, size) = error_map::with_legend(&one.map, report.size, &title);
-        Output::File(folder.join(format!("error-{id}.png"))).write_png(&pixels, size)
+    METHODS.par_iter().try_for_each(|Method { id, .. }| {
+        let path = folder.join(format!("error-{id}.png"));
+        let measured = report.methods.iter().find(|it| it.method.id == *id);
+        if let Some(one) = measured {
+            let title = format!("{id}: error against exact Phong, in levels");
+            let (pixels, size) = error_map::with_legend(&one.map, report.size, &title);
+            return Output::File(path).write_png(&pixels, size);
+        }
+        // A map of an earlier report does not belong to this one.
+        if path.is_file() {
+            fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
+        }
+        Ok(())
     })
 }

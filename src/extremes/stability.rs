@@ -104,7 +104,7 @@ pub fn run(level: Level, out: Option<&Path>, as_json: bool) -> anyhow::Result<()
         output::make_folder(folder)?;
     }
     let curves = with_bar(|monitor| measure(SIZE, level, monitor))?;
-    print(&curves, as_json, || table(&curves))?;
+    print(&curves, as_json, None, || table(&curves))?;
     if let Some(folder) = out {
         let files = [
             ("stability.json", output::json(&curves)?),

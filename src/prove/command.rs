@@ -12,7 +12,7 @@ use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
 use crate::report::progress::with_bar;
-use crate::report::words::CHANNELS;
+use crate::report::words::{CHANNELS, interval};
 use crate::{shading, systems};
 
 /// The colour of proven pixels beside an edge, 0x00RRGGBB.
@@ -71,7 +71,7 @@ pub fn run(
         seconds: begin.elapsed().as_secs_f64(),
         proof: &proof,
     };
-    print(&record, as_json, || lines(drawing, &record).join("\n"))?;
+    print(&record, as_json, map, || lines(drawing, &record).join("\n"))?;
     if proof.refuted > 0 {
         bail!("{} of {} pixels are refuted", proof.refuted, proof.pixels);
     }
@@ -112,28 +112,37 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
          proven     {proven} of {pixels} pixels\n\
          refuted    {refuted}\n\
          undecided  {undecided}\n\
-         outline    {outline} pixels are so near an edge that they may show either side\n\
-         largest proven    {worst:.6} levels off, where {limit} is allowed{rounding}\n\
-         widest enclosure  {widest_enclosure:.1e} levels\n\
-         f64 reference     {reference_error:.1e} levels off at most\n\
-         time              {:.2} s",
-        record.seconds
+         outline    {outline} pixels are so near an edge that they may show either side"
     )];
+    if *proven > 0 {
+        lines.push(format!(
+            "largest proven    {worst:.6} levels off, where {limit} is allowed{rounding}"
+        ));
+    }
+    // Without a cuboid nothing is enclosed.
+    if *widest_enclosure > 0.0 {
+        lines.push(format!(
+            "widest enclosure  {widest_enclosure:.1e} levels\n\
+             f64 reference     {reference_error:.1e} levels off at most"
+        ));
+    }
+    lines.push(format!("time              {:.2} s", record.seconds));
     if !record.proof.examples.is_empty() {
         lines.push("The pixels that are not proven and err most:".to_owned());
     }
     for example in &record.proof.examples {
         let [x, y] = example.pixel;
         let verdict = example.verdict.name();
-        let [least, most] = example.error;
+        let (face, error) = (face(drawing, example), example.error);
+        let error = interval(error, |level| format!("{level:.3}"));
         lines.push(format!(
-            "pixel {x},{y} is {verdict}, {}: off by {least:.3} to {most:.3} levels",
-            face(drawing, example)
+            "pixel {x},{y} is {verdict}, {face}: off by {error} levels"
         ));
         let channels = CHANNELS.iter().zip(example.drawn);
-        for ((channel, drawn), [least, largest]) in channels.zip(example.enclosure) {
+        for ((channel, drawn), exact) in channels.zip(example.enclosure) {
+            let exact = interval(exact, |level| format!("{level:>11.6}"));
             lines.push(format!(
-                "  {channel:<5}  drawn {drawn:>11.6}, exact {least:>11.6} to {largest:>11.6}"
+                "  {channel:<5}  drawn {drawn:>11.6}, exact {exact}"
             ));
         }
     }

@@ -1,10 +1,11 @@
 //! The progress of long work, and the bar on standard error that shows it.
 
+use std::fmt::Write;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::{Context, ensure};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use rayon::prelude::*;
 
 /// Rows of a picture that are evaluated at once. They bound the memory of a comparison.
@@ -97,8 +98,16 @@ impl Monitor<'_> {
 /// # Errors
 /// Those of `work`.
 pub fn with_bar<T>(work: impl FnOnce(Monitor) -> anyhow::Result<T>) -> anyhow::Result<T> {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %, {eta} left")
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
         .context("the template of the progress bar is wrong")?;
+    let style = style.with_key("left", |state: &ProgressState, text: &mut dyn Write| {
+        // Before the first estimate it is 0.
+        let left = state.eta();
+        if !left.is_zero() {
+            // A failure would leave the bar without the time.
+            let _ = write!(text, ", {:#} left", HumanDuration(left));
+        }
+    });
     let bar = ProgressBar::new(1000).with_style(style);
     let progress = |step, share: f64| {
         if bar.message() != step {

@@ -3,7 +3,7 @@
 use comfy_table::{CellAlignment, ContentArrangement, Table, TableComponent, presets};
 
 /// The width of a paragraph, in columns of the terminal.
-pub const WIDTH: usize = 100;
+const WIDTH: usize = 80;
 
 /// Columns of the terminal between two columns of a table.
 const GAP: u16 = 2;

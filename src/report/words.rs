@@ -15,6 +15,17 @@ pub fn short(value: Option<f64>) -> String {
     }
 }
 
+/// An interval as text: a single number if both ends read the same.
+pub fn interval(ends: [f64; 2], text: impl Fn(f64) -> String) -> String {
+    let [least, most] = ends.map(text);
+    // Below 0.001 the lower end is not told.
+    if least == most || most == "<0.001" {
+        most
+    } else {
+        format!("{least} to {most}")
+    }
+}
+
 /// The text with a capital letter first.
 pub fn capital(text: &str) -> String {
     let (first, rest) = text.split_at(text.chars().next().map_or(0, char::len_utf8));

@@ -15,7 +15,7 @@ use crate::frame::{Frame, Keep, Workers};
 use crate::output::{Output, print, say};
 use crate::report::progress::with_bar;
 use crate::report::tables::{aligned, wrapped};
-use crate::report::words::short;
+use crate::report::words::{interval, short};
 use crate::scene::{Scene, SceneRecord, updated};
 use crate::systems;
 use crate::trade::timing;
@@ -63,7 +63,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
         "bits": stages,
     });
     rows.sort_by(|one, other| other.most().total_cmp(&one.most()));
-    print(&record, as_json, || {
+    print(&record, as_json, least_scene, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
         let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
         let cells: Vec<_> = stages.iter().map(StageBits::cells).collect();
@@ -124,7 +124,7 @@ fn table(rows: &[PartRow]) -> String {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
             row.found.name.clone(),
-            error(row.found.change.largest_error),
+            interval(row.found.change.largest_error, |it| short(Some(it))),
             row.found.change.pixels.to_string(),
             row.time_share.map_or_else(|| "-".to_owned(), percent),
             if row.required { "yes" } else { "no" }.to_owned(),
@@ -132,17 +132,6 @@ fn table(rows: &[PartRow]) -> String {
     };
     let head = ["part", "largest error", "pixels", "time", "required"];
     aligned(&head, &rows.iter().map(cells).collect::<Vec<_>>())
-}
-
-/// An interval as text: a single number if both ends read the same.
-fn error(ends: [f64; 2]) -> String {
-    let [least, most] = ends.map(|level| short(Some(level)));
-    // Below 0.001 the lower end is not told.
-    if least == most || most == "<0.001" {
-        most
-    } else {
-        format!("{least} to {most}")
-    }
 }
 
 /// Writes the scene without as many parts as can be left out together. Only parts that a scene file can leave out are

@@ -124,8 +124,16 @@ impl SceneRecord {
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let record: SceneRecord = toml::from_str(text)
-            .map_err(|error| (error.span().unwrap_or_default(), error.message().to_owned()))?;
+        let record: SceneRecord = toml::from_str(text).map_err(|error| {
+            let span = error.span().unwrap_or_default();
+            let message = match text.get(span.clone()) {
+                Some(header @ ("[cuboid]" | "[light]" | "[camera]")) => {
+                    format!("{header} is one of several tables, expected [{header}]")
+                }
+                _ => error.message().to_owned(),
+            };
+            (span, message)
+        })?;
         record
             .check()
             .map_err(|mistake| (mistake.span(text), mistake.to_string()))?;

@@ -3,6 +3,7 @@
 use super::measurement::{Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
+use crate::components::ShadingMode;
 use crate::report::tables::{self, aligned, wrapped};
 use crate::report::words::{counted, short};
 
@@ -33,7 +34,7 @@ pub fn table(report: &Report) -> String {
         wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), &rows(report)),
-        wrapped(&legend()),
+        wrapped(&legend(report)),
     ];
     // There is no verdict where none of its methods was measured.
     paragraphs.retain(|paragraph| !paragraph.is_empty());
@@ -49,7 +50,7 @@ pub fn markdown(report: &Report) -> String {
         place(report),
         report.command,
         tables::markdown(&head(), &rows(report)),
-        legend()
+        legend(report)
     )
 }
 
@@ -92,13 +93,18 @@ pub fn place(report: &Report) -> String {
     )
 }
 
-fn legend() -> String {
+fn legend(report: &Report) -> String {
+    let mut modes = report.methods.iter().map(|one| one.method.mode);
+    let note = if modes.any(|mode| mode == ShadingMode::UnitVectors) {
+        " phong-unit-vectors is evaluated in f64 by its definition: its time is not comparable."
+    } else {
+        ""
+    };
     format!(
         "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \
          greatest median of a run, each a process of its own; times whose ranges overlap are not told apart. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
-         belongs. Best trade: nothing beats it in error and time both. \
-         phong-unit-vectors is evaluated in f64 by its definition: its time is not comparable."
+         belongs. Best trade: nothing beats it in error and time both.{note}"
     )
 }
 

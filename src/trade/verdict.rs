@@ -14,17 +14,12 @@ pub const UNSEEN: f64 = 0.5;
 const ALIKE: f64 = 1.2;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
-/// The sentences about Gouraud, Phong within half a level, exact Phong and the assignment's shortcut, if they were measured.
+/// The sentences about Gouraud, Phong within half a level and the assignment's shortcut, if they were measured.
 pub fn verdict(measured: &[Measurement]) -> String {
     if measured.iter().all(|it| it.error.is_none()) {
         return NOTHING.to_owned();
     }
-    let subjects = [
-        (Gouraud, UNSEEN),
-        (Phong, UNSEEN),
-        (Phong, 0.0),
-        (UnitVectors, 0.0),
-    ];
+    let subjects = [(Gouraud, UNSEEN), (Phong, UNSEEN), (UnitVectors, 0.0)];
     let of = |(mode, tolerance)| against_phong(measured, find(measured, mode, tolerance)?);
     let sentences: Vec<String> = subjects.into_iter().filter_map(of).collect();
     sentences.join(" ")

@@ -9,6 +9,8 @@ use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
 /// Exit status, arguments, and words of the message with bars between.
 const FAILURES: &str = r#"
 2  --size 0x0  ->  '0x0'|1x1 to 16384x16384
+2  rendr  ->  'rendr'|'render'
+2  redner -o b.png  ->  'redner'|'render'
 2  --size 16385x1  ->  '16385x1'
 2  view --size 960  ->  '960'|such as 960x720
 2  render -o b.png --size -5x5  ->  '-5x5'
@@ -44,6 +46,9 @@ const FAILURES: &str = r#"
 2  render -o b.jpg  ->  b.jpg|PNG
 2  prove -o b.toml  ->  b.toml|.png
 2  requires -o b.png  ->  b.png|.toml
+2  prove -o - --json  ->  -o and --json|give -o a file
+2  requires -o /dev/stdout --json  ->  -o and --json
+2  replay quit.log -o - --hash  ->  -o and --hash
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
 1  requires -o sub  ->  sub|directory
@@ -52,7 +57,7 @@ const FAILURES: &str = r#"
 1  render --size 9x9 -o cuboid/b.png  ->  cuboid/b.png
 1  render --size 9x9 -o LONG  ->  too long
 1  figures -o none/b  ->  none/b|no folder none
-1  figures -o cuboid  ->  cuboid|exists
+1  figures -o cuboid  ->  cuboid is a file
 # Pictures to judge.
 2  prove --picture deep.png  ->  16 bits
 2  prove --picture clear.png  ->  transparent

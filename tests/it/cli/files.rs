@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use shadetrade::scene::Scene;
+
 use super::{assert_works, decode, folder, get, listing, put, run};
 
 /// The arguments for a small picture; the name of the file follows.
@@ -31,15 +33,23 @@ fn a_file_is_made_or_replaced_and_nothing_is_left_beside_it() {
 }
 
 #[test]
-fn standard_output_holds_the_picture_alone() {
+fn standard_output_holds_the_file_alone() {
     let folder = folder();
-    for name in ["-", "/dev/stdout"] {
-        let output = run(folder.path(), &format!("{SMALL} {name}"));
+    for (line, words) in [
+        ("render -o -", "standard output"),
+        ("render -o /dev/stdout", "standard output"),
+        ("prove -o -", "proven     192 of 192 pixels"),
+    ] {
+        let output = run(folder.path(), &format!("{line} --size 16x12"));
         let (width, height, _) = decode(&output.stdout);
         assert_eq!((width, height), (16, 12));
         assert!(output.stdout.ends_with(b"IEND\xae\x42\x60\x82"));
-        assert!(String::from_utf8_lossy(&output.stderr).contains("standard output"));
+        assert!(String::from_utf8_lossy(&output.stderr).contains(words));
     }
+    let output = run(folder.path(), "requires --lights none --size 9x9 -o -");
+    let scene = String::from_utf8_lossy(&output.stdout);
+    assert!(Scene::parse("least", &scene).is_ok(), "{scene}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("\ncuboid emerald "));
     assert_eq!(listing(folder.path()), [""; 0]);
 }
 

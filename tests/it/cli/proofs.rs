@@ -59,17 +59,28 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
         "two.toml",
         format!("{SCENE}\n{}", cube("aside", [-3.0, 1.0, -3.0])),
     );
-    let output = run(folder, "prove two.toml --picture drawn.png");
-    assert_eq!(output.status.code(), Some(1));
-    assert!(said(&output).contains("are refuted"));
-    let text = String::from_utf8_lossy(&output.stdout);
-    for words in [
-        "perspective, 96x72, scene, tolerance 0.5",
-        "largest proven",
-        "where 1 is allowed, half a level of it",
-        "is refuted, aside, face ",
+    for (line, status, words, others) in [
+        (
+            "prove two.toml --picture drawn.png",
+            1,
+            "perspective, 96x72, scene, tolerance 0.5|largest proven|where 1 is allowed, half a level of it|\
+             is refuted, aside, face ",
+            "0.000000 to ",
+        ),
+        ("prove --picture wide.png", 1, "proven     0 of", "largest"),
+        (
+            "prove extremes/eye-inside --size 9x9",
+            0,
+            "proven     81 of",
+            "e0 levels",
+        ),
     ] {
-        assert!(text.contains(words), "{words}: {text}");
+        let output = run(folder, line);
+        assert_eq!(output.status.code(), Some(status));
+        assert_eq!(said(&output).contains("are refuted"), status == 1);
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert!(words.split('|').all(|it| text.contains(it)), "{text}");
+        assert!(!text.contains(others), "{others}: {text}");
     }
 }
 

@@ -14,9 +14,13 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
     put(folder.path(), "my.toml", SCENE);
     let line = "trade --quick --size 64x48 --methods phong-1,gouraud-0";
     let script = format!("cat my.toml | $0 {line} -o 'my report' -- /dev/stdin");
+    let out = folder.path().join("my report");
+    fs::create_dir(&out).expect("it is made");
+    // A map of an earlier report, and a file of the user's.
+    put(&out, "error-phong-0.png", "old");
+    put(&out, "error.png", "mine");
     let output = crate::cli::in_shell(folder.path(), &script);
     assert!(output.status.success(), "{}", said(&output));
-    let out = folder.path().join("my report");
     let report: Value = serde_json::from_slice(&get(&out, "trade.json")).expect("JSON");
     let methods = report["methods"].as_array().expect("there are methods");
     // Eight batches of four, on one thread.
@@ -25,9 +29,17 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
         .map(|it| json!([it["id"], it["ms"]["samples"], it["threads"]]));
     let expected = [json!(["gouraud-0", 32, 1]), json!(["phong-1", 32, 1])];
     assert_eq!(found.collect::<Vec<_>>(), expected);
-    assert_eq!(listing(&out).len(), 3 + 2);
+    let files = [
+        "error-gouraud-0.png",
+        "error-phong-1.png",
+        "error.png",
+        "trade.json",
+        "trade.md",
+        "trade.svg",
+    ];
+    assert_eq!(listing(&out), files);
     let table = String::from_utf8(output.stdout).expect("a table is UTF-8");
-    assert!(table.contains("phong-1 ") && !table.contains("phong-0.25"));
+    assert!(table.contains("phong-1 ") && !table.contains("phong-unit-vectors"));
     // No sentence is about these methods, and the table names no file.
     assert!(table.starts_with("/dev/stdin, camera") && !table.contains("trade.json"));
 

@@ -36,7 +36,7 @@ Values of the wrong type.
  5 ¦ material = 3⏎[cuboid.x]           ¦ 5:12  ¦ 3
 22 ¦ orbit = [0, 0, 1]                 ¦ 22:9  ¦ [0, 0, 1]
  1 ¦ view = 3                          ¦ 1:8   ¦ 3
- 2 ¦ [cuboid]                          ¦ 2:1   ¦ [cuboid]
+ 2 ¦ [cuboid]                          ¦ 2:1   ¦ [[cuboid]]
 22 ¦ [view]⏎projection = "flat"        ¦ 23:14 ¦ flat
 22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ all
 22 ¦ [view]⏎inspector = "help"         ¦ 23:13 ¦ help

@@ -97,7 +97,7 @@ fn times_within_noise_are_called_neither_faster_nor_slower() {
 fn the_verdict_is_about_the_methods_that_were_measured() {
     let usual = "Gouraud|163|xact Phong|unit vectors|171";
     for (report, words, others) in [
-        (example::report(), usual, "nothing is drawn"),
+        (example::report(), usual, "Exact Phong"),
         (example::empty_report(), "othing is drawn", "off by"),
     ] {
         let text = verdict(&report.methods);
