@@ -27,15 +27,6 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// A copy with its own scene.
-    #[must_use]
-    pub fn snapshot(&self) -> Drawing {
-        Drawing {
-            scene: self.scene.snapshot(),
-            ..*self
-        }
-    }
-
     /// The view of a frame.
     pub fn view(&self) -> View {
         View::of(&self.scene.world, self.size)

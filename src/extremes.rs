@@ -29,6 +29,9 @@ const FOLDER: &str = "extremes/";
 /// Width and height of a picture where the index names none, in pixels.
 pub const SIZE: [usize; 2] = [144, 108];
 
+/// All pictures from one camera show cuboids at least at this part of the pixels of one of them: fewer prove little.
+const FEW: u64 = 70;
+
 /// Every picture is proven at these.
 const TOLERANCES: [f64; 2] = [0.0, 0.5];
 
@@ -44,9 +47,6 @@ pub struct Extreme {
     projections: Vec<Projection>,
     pub modes: Vec<ShadingMode>,
     fact: Option<KnownFact>,
-    /// The least number of pixels that show a cuboid, in all pictures from one camera: fewer prove little.
-    #[serde(skip)]
-    pub least_covered: u64,
 }
 
 impl Default for Extreme {
@@ -57,7 +57,6 @@ impl Default for Extreme {
             projections: Projection::ALL.to_vec(),
             modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
             fact: None,
-            least_covered: 100,
         }
     }
 }
@@ -221,7 +220,7 @@ impl Extreme {
                 }
             }
             ensure!(
-                seen >= self.least_covered || self.fact.is_some(),
+                seen * FEW >= (self.size[0] * self.size[1]) as u64 || self.fact.is_some(),
                 "camera {camera}: only {seen} pixels show a cuboid"
             );
             covered += seen;
@@ -238,13 +237,11 @@ impl Extreme {
 
     /// The views of the active camera.
     fn views(&self, world: &World) -> Vec<View> {
-        let view = View::of(world, self.size);
+        let mut view = View::of(world, self.size);
         let mut views = Vec::new();
         for &projection in &self.projections {
-            views.extend(self.modes.iter().map(|mode| View {
-                projection,
-                ..view.shaded(*mode)
-            }));
+            view.projection = projection;
+            views.extend(self.modes.iter().map(|mode| view.shaded(*mode)));
         }
         views
     }

@@ -171,8 +171,8 @@ pub fn nearest(
         .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
-/// Judges a pixel by the surfaces that it may show. Returns also the largest possible error.
-pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
+/// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error.
+pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
     let levels = nearest(shown.face, shown.levels, seen);
     let bytes = shown.bytes.map(|bytes| bytes.map(f64::from));
     let bytes = bytes.and_then(|bytes| nearest(shown.face, bytes, seen));
@@ -183,7 +183,7 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, f64) {
         is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
         is_covered: shown.face.is_some(),
     };
-    (mark, levels.map_or(255.0, |[_, most]| most))
+    (mark, levels.unwrap_or([255.0; 2]))
 }
 
 impl Proof {
@@ -206,26 +206,22 @@ impl Proof {
         let widths = enclosures.map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
         if mark.verdict == Verdict::Proven {
-            self.worst = self.worst.max(error);
+            self.worst = self.worst.max(error[1]);
         } else {
             let same = seen.iter().find(|seen| seen.face() == shown.face);
             let face = same.unwrap_or(&seen[0]).face();
             // Where a face has several enclosures, the exact value lies in one of them.
-            let same = seen.iter().filter(|seen| seen.face() == face);
-            let enclosures = same.map(|seen| ends(seen.levels));
-            let enclosure = enclosures.reduce(|one, other| {
-                [0, 1, 2].map(|channel| {
-                    let ([a, b], [c, d]) = (one[channel], other[channel]);
-                    [a.min(c), b.max(d)]
-                })
+            let enclosure = [0, 1, 2].map(|channel| {
+                let same = seen.iter().filter(|seen| seen.face() == face);
+                let same = same.map(|seen| ends(seen.levels)[channel]);
+                same.fold([255.0, 0.0], |[a, b], [c, d]| [c.min(a), d.max(b)])
             });
-            let nearest = nearest(shown.face, shown.levels, seen);
             self.examples.push(Example {
                 pixel,
                 verdict: mark.verdict,
                 drawn: shown.levels.map(displayed),
-                enclosure: enclosure.unwrap_or_default(),
-                error: nearest.unwrap_or([255.0; 2]),
+                enclosure,
+                error,
                 face,
             });
         }

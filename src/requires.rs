@@ -149,7 +149,11 @@ pub fn changes(
     for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
         let is_enclosed = |parts: &[Part]| !parts.contains(&Part::F64SetUp);
         let picture = |parts: &Vec<Part>| {
-            let (world, rule) = (&without(scene, parts).world, rule(parts));
+            let world = &without(scene, parts).world;
+            let rule = parts.iter().find_map(|part| match part {
+                Part::Rule(rule) => Some(*rule),
+                _ => None,
+            });
             if is_enclosed(parts) {
                 rows(Reference::<Interval>::without(world, view, rule))
             } else {
@@ -171,11 +175,8 @@ pub fn changes(
                     }
                 }))
             };
-            Ok(pictures
-                .iter()
-                .zip(some)
-                .map(change)
-                .collect::<Vec<Change>>())
+            let changes = pictures.iter().zip(some).map(change);
+            Ok(changes.collect::<Vec<Change>>())
         })?;
         let of_picture = |number: usize| Change::combined(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
@@ -243,14 +244,6 @@ pub fn least(
         }
     }
     Ok((left_out, change))
-}
-
-/// The first rule among the parts, if there is one.
-fn rule(left_out: &[Part]) -> Option<Rule> {
-    left_out.iter().find_map(|part| match part {
-        Part::Rule(rule) => Some(*rule),
-        _ => None,
-    })
 }
 
 /// The rows of a picture as displayed levels. In intervals a pixel may show several surfaces, in floats it shows one.

@@ -40,7 +40,7 @@ pub struct ReplayOptions {
     #[arg(value_name = "LOG")]
     pub log: PathBuf,
     /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
-    #[arg(short, long, value_name = "FILE", value_parser = file(PNG_OR_APNG))]
+    #[arg(short, long, value_name = "FILE", value_parser = file(&["png", "apng"]))]
     pub output: Option<Output>,
     /// Prints the time and a hash of the picture of every frame
     #[arg(long)]
@@ -63,7 +63,7 @@ pub struct RenderOptions {
     #[command(flatten)]
     pub budget: BudgetOption,
     /// The PNG file; `-` for standard output
-    #[arg(short, long, value_name = "FILE", value_parser = file(PNG))]
+    #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Output,
     /// Draws with the f64 reference instead of the renderer, without use of --tolerance, --budget and --simd
     #[arg(long)]
@@ -153,7 +153,7 @@ pub struct ProveOptions {
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
     /// The PNG file of the verdicts
-    #[arg(short, long, value_name = "FILE", value_parser = file(PNG))]
+    #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -183,7 +183,7 @@ pub struct RequiresOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The file for the least scene that keeps the tolerance
-    #[arg(short, long, value_name = "FILE", value_parser = file(TOML))]
+    #[arg(short, long, value_name = "FILE", value_parser = file(&["toml"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
     #[arg(long)]
@@ -214,34 +214,21 @@ pub struct ExtremesOptions {
 /// The default folder for figures.
 pub const DEFAULT_FIGURES: &str = "shadetrade-figures";
 
-/// The endings of output files.
-const PNG: Endings = (
-    &["png"],
-    "a PNG file is written; its name ends in .png, or has no ending",
-);
-const PNG_OR_APNG: Endings = (
-    &["png", "apng"],
-    "a PNG file is written; its name ends in .png, in .apng for all frames, or has no ending",
-);
-const TOML: Endings = (
-    &["toml"],
-    "a scene is written; its name ends in .toml, or has no ending",
-);
-/// Legal endings, and a sentence about them.
-type Endings = (&'static [&'static str], &'static str);
-
 /// Refuses a name that ends like a file of another kind: a picture must not replace a scene. A name needs no ending, and that of
 /// a pipe or a device may have any.
-fn file((endings, message): Endings) -> impl TypedValueParser<Value = Output> {
+fn file(endings: &'static [&'static str]) -> impl TypedValueParser<Value = Output> {
     OsStringValueParser::new().try_map(move |path| {
         let found = Path::new(&path).metadata();
         let is_special = found.is_ok_and(|it| !it.is_file() && !it.is_dir());
         let ending = Path::new(&path).extension();
         let is_legal = |ending: &OsStr| endings.iter().any(|it| ending.eq_ignore_ascii_case(it));
         match path.is_empty() {
-            true => Err("a file needs a name"),
+            true => Err("a file needs a name".to_owned()),
             false if is_special || ending.is_none_or(is_legal) => Ok(Output::from(path)),
-            false => Err(message),
+            false => Err(format!(
+                "its name ends in .{}, or has no ending",
+                endings.join(" or .")
+            )),
         }
     })
 }

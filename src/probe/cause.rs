@@ -127,6 +127,6 @@ impl DrawnPixel {
 fn level(value: f64) -> String {
     match value.abs() {
         10.0.. => format!("{value:.0}"),
-        _ => short(Some(value)),
+        _ => short(value),
     }
 }

@@ -3,8 +3,8 @@
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 /// A number with three significant digits or fewer; "-" for one that does not exist.
-pub fn short(value: Option<f64>) -> String {
-    match value {
+pub fn short(value: impl Into<Option<f64>>) -> String {
+    match value.into() {
         None => "-".to_owned(),
         Some(0.0) => "0".to_owned(),
         Some(value) if value < 0.001 => "<0.001".to_owned(),

@@ -121,10 +121,10 @@ impl StageBits {
     /// The cells of a table: stage, bits, largest error, formats.
     pub fn cells(&self) -> Vec<String> {
         let bits = self.bits.map_or("> 24".to_owned(), |bits| bits.to_string());
-        let mut cells = vec![self.stage.to_owned(), bits, short(Some(self.largest_error))];
+        let mut cells = vec![self.stage.to_owned(), bits, short(self.largest_error)];
         cells.extend(self.formats.iter().map(|format| {
             let answer = if format.keeps { "yes" } else { "no" };
-            format!("{answer}, {}", short(Some(format.largest_error)))
+            format!("{answer}, {}", short(format.largest_error))
         }));
         cells
     }
@@ -152,11 +152,7 @@ impl Trial<'_> {
     }
 
     fn all(self, stage: Stage, vector: DVec3) -> DVec3 {
-        if stage == self.stage {
-            DVec3::from(vector.to_array().map(|value| self.format.round(value)))
-        } else {
-            vector
-        }
+        DVec3::from(vector.to_array().map(|value| self.one(stage, value)))
     }
 
     fn dot(self, stage: Stage, one: DVec3, other: DVec3) -> f64 {

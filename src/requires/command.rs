@@ -124,7 +124,7 @@ fn table(rows: &[PartRow]) -> String {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         vec![
             row.found.name.clone(),
-            interval(row.found.change.largest_error, |it| short(Some(it))),
+            interval(row.found.change.largest_error, short),
             row.found.change.pixels.to_string(),
             row.time_share.map_or_else(|| "-".to_owned(), percent),
             if row.required { "yes" } else { "no" }.to_owned(),

@@ -105,7 +105,7 @@ pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, Stri
 /// ", 0.2 ms over the budget", or nothing if a time keeps the budget; both in milliseconds.
 pub fn over(time: f64, budget: f64) -> String {
     if time > budget {
-        format!(", {} ms over the budget", short(Some(time - budget)))
+        format!(", {} ms over the budget", short(time - budget))
     } else {
         String::new()
     }
@@ -117,7 +117,10 @@ pub fn over(time: f64, budget: f64) -> String {
 /// If memory or threads do not suffice.
 pub fn choose(drawing: &Drawing, budget: f64) -> anyhow::Result<Option<(Method, String)>> {
     let request = Request {
-        drawing: drawing.snapshot(),
+        drawing: Drawing {
+            scene: drawing.scene.snapshot(),
+            ..*drawing
+        },
         methods: METHODS.to_vec(),
         time: MEASURING_TIME,
         is_report: false,

@@ -5,18 +5,15 @@ use super::timing::BATCHES;
 use super::verdict::verdict;
 use crate::components::ShadingMode;
 use crate::report::tables::{self, aligned, wrapped};
-use crate::report::words::{counted, short};
+use crate::report::words::{counted, interval, short};
 
 /// The head of a column, and its cell for a method.
 type Column = (&'static str, fn(&Measurement) -> String);
 
 const COLUMNS: [Column; 6] = [
     ("method", |one| one.method.id.to_owned()),
-    ("ms a frame", |one| short(Some(one.timing.median))),
-    (RANGE, |one| {
-        let [low, high] = one.timing.interval.map(|end| short(Some(end)));
-        format!("{low} to {high}")
-    }),
+    ("ms a frame", |one| short(one.timing.median)),
+    (RANGE, |one| interval(one.timing.interval, short)),
     ("largest error", |one| short(one.largest_error())),
     ("highlight kept", |one| percent(one.highlight_kept)),
     ("best trade", |one| {

@@ -141,10 +141,8 @@ const LABEL: f64 = 12.0;
 
 /// The least error for each time, as a line of steps from the top to the right `end`.
 fn front(points: &[Dot], end: f64) -> Vec<(f64, f64)> {
-    let mut best: Vec<&Dot> = points
-        .iter()
-        .filter(|point| point.measured.on_front)
-        .collect();
+    let on_front = points.iter().filter(|point| point.measured.on_front);
+    let mut best: Vec<&Dot> = on_front.collect();
     best.sort_by(|a, b| a.time.total_cmp(&b.time));
     let mut error = ERRORS.end;
     let mut line = Vec::new();

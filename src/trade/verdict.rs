@@ -50,7 +50,7 @@ fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&
 ///
 /// The rival is Phong within half a level; that of itself, or if it was not measured, is exact Phong.
 fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
-    let error = format!("off by {} of 255", short(Some(shown.largest_error()?)));
+    let error = format!("off by {} of 255", short(shown.largest_error()?));
     let name = capital(&method_name(shown.method));
     let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Phong, tolerance));
     let mut rivals = [half, exact].into_iter().flatten();

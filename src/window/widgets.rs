@@ -8,11 +8,7 @@ use glam::DVec3;
 
 use super::facts::Latest;
 use super::style::{INK, STALE};
-
-/// Three significant digits, or fewer.
-pub fn short(value: f64) -> String {
-    crate::report::words::short(Some(value))
-}
+pub use crate::report::words::short;
 
 /// A number rounded to two significant digits, which is as fine as a hand moves a slider.
 pub fn two_digits(value: f64) -> f64 {

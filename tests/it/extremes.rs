@@ -31,7 +31,7 @@ fn levels() -> Vec<Level> {
 }
 
 /// Every extreme; unless it is a full run, in one mode by turns, and in a ninth of the pixels if the
-/// picture has the usual shape. A ninth of the pixels that must show a cuboid suffices then.
+/// picture has the usual shape.
 fn extremes() -> Vec<Extreme> {
     let mut extremes = table();
     for (number, extreme) in extremes.iter_mut().enumerate().filter(|_| !is_full()) {
@@ -39,7 +39,6 @@ fn extremes() -> Vec<Extreme> {
         if width * SIZE[1] == height * SIZE[0] {
             extreme.size = [width / 3, height / 3];
         }
-        extreme.least_covered /= 9;
         if extreme.modes.len() > 1 {
             extreme.modes.remove(number % 2);
         }

@@ -43,7 +43,7 @@ const FAILURES: &str = r#"
 2  render ./cuboid -o b.png  ->  cuboid
 2  view key.toml  ->  key.toml:1:1: |colour|^^^^^^
 # Outputs.
-2  render -o b.jpg  ->  b.jpg|PNG
+2  render -o b.jpg  ->  b.jpg|.png
 2  prove -o b.toml  ->  b.toml|.png
 2  requires -o b.png  ->  b.png|.toml
 2  prove -o - --json  ->  -o and --json|give -o a file
@@ -70,7 +70,7 @@ const FAILURES: &str = r#"
 # Recordings.
 2  replay absent.log  ->  absent.log
 2  replay quit.log  ->  quit.log:1:|`quit`
-2  replay quit.log -o quit.log  ->  quit.log|.apng
+2  replay quit.log -o quit.log  ->  quit.log|.png or .apng
 2  replay quit.log --idle -1  ->  86400
 # Without a display a scene is found and read, but not shown.
 1  ./render  ->  no display|shadetrade render ./render -o

@@ -43,7 +43,7 @@ fn the_verdict_depends_on_whether_all_some_or_no_values_are_within_the_limit() {
         (102.5, Undecided, 2.5),
         (102.6, Refuted, 2.6),
     ] {
-        let (mark, error) = judge(shown(Some(3), level), &seen, 1.5);
+        let (mark, [_, error]) = judge(shown(Some(3), level), &seen, 1.5);
         assert!((error - largest).abs() < 1e-12, "{level}: {error}");
         let quiet = Mark {
             verdict: expected,
