@@ -86,8 +86,7 @@ Examples:
   shadetrade trade --quick
   shadetrade trade bench-close -o close --methods gouraud-0.5,phong-0.5
 
-Errors are in levels of 255, against Phong in f64. With -o it also writes trade.json, trade.md,
-trade.svg (error against time) and an error map of each method.")]
+Errors are in levels of 255, against Phong in f64.")]
     Trade(TradeOptions),
     /// Shows the evaluation of one pixel: position, vectors and each term, for Gouraud, Phong and the reference
     #[command(after_help = "\
@@ -102,8 +101,7 @@ Examples:
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
   shadetrade prove --shading phong --picture other.png -o judged.png
 
-Encloses the exact levels of every pixel by interval arithmetic. The map shows proven pixels dim,
-undecided ones yellow and refuted ones red. Exit status 1 if a pixel is refuted.")]
+Encloses the exact levels of every pixel by interval arithmetic. Exit status 1 if one is refuted.")]
     Prove(ProveOptions),
     /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out and its cost
     #[command(after_help = "\
@@ -112,9 +110,7 @@ Examples:
   shadetrade requires my.toml -o least.toml
 
 A part is required unless the error of leaving it out is proven to be within the tolerance.
-The second table has the fewest bits of significand that each stage of the model needs.
-With -o it leaves out several lights, cuboids and Phong of cuboids together, and writes the
-scene that is left.")]
+The second table has the fewest bits of significand that each stage of the model needs.")]
     Requires(RequiresOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\
@@ -123,18 +119,13 @@ Examples:
   shadetrade extremes --chart -o stability
 
 Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at
-tolerance 0 and 0.5. Exit status 1 if an extreme fails. With --chart it sweeps one number of a scene
-at a time, and prints the range in which the reference in f32 and in f64 and this renderer keep 0.05
-level.")]
+tolerance 0 and 0.5. Exit status 1 if an extreme fails.")]
     Extremes(ExtremesOptions),
     /// Plays a recording in a window, or draws it into a file
     #[command(after_help = "\
 Examples:
   shadetrade replay lesson.log
-  shadetrade replay lesson.log -o lesson.apng --idle 5
-
-A hash covers the picture in the window. It is the same at every SIMD level and with any number of
-threads.")]
+  shadetrade replay lesson.log -o lesson.apng --idle 5")]
     Replay(ReplayOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "Example:\n  shadetrade completions bash > shadetrade.bash")]

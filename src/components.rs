@@ -31,7 +31,9 @@ pub use self::entity::{FileOrder, Name, get, in_file_order, names, ordered, over
 pub use self::light::{Illumination, Light, LightKind, PointLight};
 pub use self::mesh::{FACES, Mesh, TRIANGLES};
 pub use self::orbit::Orbit;
-pub use self::surface::{Material, Normals, Polygon, Projected, ShadingMode, VertexColors};
+pub use self::surface::{
+    Material, Normals, Polygon, Projected, ShadingMode, VertexColors, common_mode,
+};
 pub use self::transform::{Transform, WorldTransform};
 pub use self::vector::{length, unit};
 pub use self::view::View;

@@ -7,7 +7,7 @@ use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 
-use crate::components::{Name, ShadingMode, View, active_camera, get, viewer};
+use crate::components::{Name, ShadingMode, View, active_camera, common_mode, get, viewer};
 use crate::frame::Workers;
 use crate::scene::Scene;
 
@@ -39,13 +39,7 @@ impl Drawing {
 
     /// The shading mode of all cuboids, or `scene` if they differ.
     pub fn mode(&self) -> &'static str {
-        let mut modes = self.scene.world.query::<&ShadingMode>();
-        let mut modes = modes.iter().copied();
-        let first = modes.next();
-        match first.filter(|first| modes.all(|mode| mode == *first)) {
-            Some(mode) => mode.name(),
-            None => "scene",
-        }
+        common_mode(&self.scene.world).map_or("scene", ShadingMode::name)
     }
 
     /// The picture in words: scene, camera, projection, size, shading and tolerance.

@@ -42,7 +42,7 @@ pub struct ReplayOptions {
     /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
     #[arg(short, long, value_name = "FILE", value_parser = file(&["png", "apng"]))]
     pub output: Option<Output>,
-    /// Prints the time and a hash of the picture of every frame
+    /// Prints the time and a hash of every frame, which is the same at every SIMD level and with any number of threads
     #[arg(long)]
     pub hash: bool,
     /// The longest pause; longer ones are shortened to it
@@ -76,7 +76,7 @@ pub struct TradeOptions {
     /// The scene and the view; each method has its own shading and tolerance.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The folder for the reports, created if absent
+    /// The folder for trade.json, trade.md, trade.svg (error against time) and an error map of each method, created if absent
     #[arg(short, long, value_name = "DIR", value_parser = folder())]
     pub output: Option<PathBuf>,
     /// Takes the least number of samples; the same as --seconds 0
@@ -152,7 +152,7 @@ pub struct ProveOptions {
     /// Judges a picture of the scene by any program: a PNG with 8 bits per channel, whose size replaces --size
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
-    /// The PNG file of the verdicts
+    /// The PNG file of the verdicts: proven pixels dim, undecided ones yellow, refuted ones red
     #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
@@ -182,7 +182,7 @@ pub struct RequiresOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The file for the least scene that keeps the tolerance
+    /// The file for the least scene that keeps the tolerance, without several lights, cuboids and Phong of cuboids together
     #[arg(short, long, value_name = "FILE", value_parser = file(&["toml"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text
@@ -196,7 +196,7 @@ pub struct ExtremesOptions {
     /// Proves only these extremes [default: all]
     #[arg(value_name = "NAME", conflicts_with = "chart")]
     pub names: Vec<String>,
-    /// Sweeps one number of a scene at a time over its whole range instead, and shows the errors of f32, f64 and the renderer
+    /// Sweeps one number of a scene at a time instead, and shows the range in which f32, f64 and the renderer keep 0.05 level
     #[arg(long)]
     pub chart: bool,
     /// The folder for the charts, created if absent

@@ -58,11 +58,8 @@ impl Orbit {
         // A recording may hold any number.
         let azimuth = self.azimuth + azimuth % 360.0;
         Orbit {
-            azimuth: if azimuth.abs() > 180.0 {
-                azimuth - 360.0 * (azimuth / 360.0).round()
-            } else {
-                azimuth
-            },
+            // A half turn, which is a tie, stays what it is.
+            azimuth: azimuth - 360.0 * (azimuth / 360.0).round_ties_even(),
             elevation: from.elevation_short_of_poles(self.elevation + elevation),
             ..self
         }

@@ -1,6 +1,7 @@
 //! Material and shading mode of a cuboid, and what a frame derives for it.
 
 use glam::DVec3;
+use hecs::World;
 use serde::{Deserialize, Serialize};
 
 use super::range::{Shininess, Strength};
@@ -45,6 +46,14 @@ impl ShadingMode {
             ShadingMode::Phong | ShadingMode::UnitVectors => "phong",
         }
     }
+}
+
+/// The mode of all cuboids; `None` if they differ, or if there is none.
+pub fn common_mode(world: &World) -> Option<ShadingMode> {
+    let mut query = world.query::<&ShadingMode>();
+    let mut modes = query.iter();
+    let first = *modes.next()?;
+    modes.all(|mode| *mode == first).then_some(first)
 }
 
 /// Unit vertex normals in world space, one per corner of the [`super::Mesh`].

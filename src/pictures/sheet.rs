@@ -57,15 +57,10 @@ pub struct Cell<'a> {
 /// `picture` at half its size. A pixel is the mean of four; an odd last row or column is dropped.
 pub fn half(picture: &Bitmap) -> Bitmap {
     let [width, height] = picture.size.map(|side| side / 2);
-    let pixel = |x: usize, y: usize| picture.pixels[y * picture.size[0] + x];
     let pixels = (0..width * height).map(|index| {
         let [x, y] = [index % width * 2, index / width * 2];
-        let four = [
-            pixel(x, y),
-            pixel(x + 1, y),
-            pixel(x, y + 1),
-            pixel(x + 1, y + 1),
-        ];
+        let four = [[0, 0], [1, 0], [0, 1], [1, 1]];
+        let four = four.map(|[i, j]| picture.pixels[(y + j) * picture.size[0] + x + i]);
         let mean = |shift: u32| {
             let sum: u32 = four.iter().map(|color| color >> shift & 0xff).sum();
             ((sum + 2) / 4) << shift

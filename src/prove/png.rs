@@ -4,9 +4,9 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{Context, ensure};
 use image::codecs::png::PngDecoder;
-use image::{ColorType, DynamicImage, ImageDecoder};
+use image::{DynamicImage, ImageDecoder};
 
 use crate::memory;
 use crate::scene::MAX_SIDE;
@@ -31,12 +31,11 @@ pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
         size.iter().all(|side| (1..=MAX_SIDE).contains(side)),
         "{name} has {width}x{height} pixels; at most {MAX_SIDE}x{MAX_SIDE} are judged"
     );
-    if !matches!(
-        decoder.color_type(),
-        ColorType::L8 | ColorType::La8 | ColorType::Rgb8 | ColorType::Rgba8
-    ) {
-        bail!("{name} has 16 bits a channel; 8 are judged");
-    }
+    let color = decoder.color_type();
+    ensure!(
+        color.bytes_per_pixel() == color.channel_count(),
+        "{name} has 16 bits a channel; 8 are judged"
+    );
     let mut pixels = memory::reserve_pixels(size)?;
     let picture = DynamicImage::from_decoder(decoder);
     let picture = picture.with_context(|| format!("{name} is damaged"))?;

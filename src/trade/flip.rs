@@ -99,11 +99,9 @@ fn looks<T: Into<f64> + Copy + Sync>(picture: &Picture<T>, pixels_per_degree: f6
     let strengths = [edge, point].map(|derivative| {
         let across = filtered(&planes[0], &derivative, &along);
         let down = filtered(&planes[0], &along, &derivative);
-        let strengths = across
-            .iter()
-            .zip(down)
-            .map(|(across, down)| across.hypot(down));
-        strengths.collect::<Vec<f32>>()
+        let both = across.iter().zip(down);
+        both.map(|(across, down)| across.hypot(down))
+            .collect::<Vec<f32>>()
     });
     let look = |pixel: usize| {
         let linear = linear_from_opponent(blurred.each_ref().map(|plane| plane[pixel]));

@@ -137,14 +137,6 @@ impl App {
         }
     }
 
-    /// The mode of all cuboids; `None` where they differ.
-    pub fn shading(&self) -> Option<ShadingMode> {
-        let mut query = self.scene.world.query::<&ShadingMode>();
-        let mut modes = query.iter();
-        let first = *modes.next()?;
-        modes.all(|mode| *mode == first).then_some(first)
-    }
-
     /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
     fn step_tolerance(&mut self, steps: i32) {
         let present = self.viewer().tolerance;

@@ -10,7 +10,7 @@ use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Facts, Latest, Question, Work};
 use super::pictures::view_at;
-use crate::components::{ShadingMode, Side, Tab, View, ViewMode, Viewer};
+use crate::components::{ShadingMode, Side, Tab, View, ViewMode, Viewer, common_mode};
 use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
@@ -183,7 +183,7 @@ impl App {
     /// The method on screen; `None` where the cuboids have different modes.
     pub fn method(&self) -> Option<Method> {
         let tolerance = self.viewer().tolerance;
-        let own = || Some(Method::of(self.shading()?, tolerance));
+        let own = || Some(Method::of(common_mode(&self.scene.world)?, tolerance));
         self.held.or_else(own)
     }
 

@@ -2,7 +2,7 @@
 
 use egui::{Key, Pos2};
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Tab, View};
+use shadetrade::components::{ShadingMode, Tab, View, common_mode};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
@@ -137,9 +137,12 @@ fn different_modes_are_mixed_until_a_key_makes_them_equal() {
     record.cuboid[0].shading = ShadingMode::Gouraud;
     scene = Scene::spawn(scene.name, &record);
     let mut window = Window::of(scene, SMALL);
-    assert_eq!(window.app.shading(), None);
+    assert_eq!(common_mode(&window.app.scene.world), None);
     window.press(Key::P);
-    assert_eq!(window.app.shading(), Some(ShadingMode::Phong));
+    assert_eq!(
+        common_mode(&window.app.scene.world),
+        Some(ShadingMode::Phong)
+    );
     window.undo();
     assert_eq!(window.record().cuboid, record.cuboid);
 }

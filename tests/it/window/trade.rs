@@ -4,7 +4,7 @@ use egui::{Key, Pos2, RawInput};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Side, View, ViewMode};
+use shadetrade::components::{Side, View, ViewMode, common_mode};
 use shadetrade::drawing::Drawing;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
@@ -172,7 +172,7 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     window.press(Key::M);
     window.press(Key::G);
     assert_eq!(window.app.viewer().budget, None);
-    assert_eq!(window.app.shading(), Some(Gouraud));
+    assert_eq!(common_mode(&window.app.scene.world), Some(Gouraud));
 }
 
 #[test]
