@@ -59,11 +59,8 @@ impl App {
         }
     }
 
-    /// The status line: the facts about the picture or a message, errors of the scene's file above.
+    /// The status line: the facts about the picture, or a message.
     fn status(&mut self, ui: &mut Ui) {
-        if let Some(error) = &self.desk.file_error {
-            ui.label(RichText::new(error).monospace().color(BAD));
-        }
         self.desk.message.take_if(|it| it.until <= self.now);
         ui.horizontal(|ui| {
             if let Some(message) = &self.desk.message {

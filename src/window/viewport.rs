@@ -1,9 +1,13 @@
 //! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
-use egui::{Color32, Event, PointerButton, Pos2, Rect, Response, Sense, Ui, Vec2, vec2};
+use egui::{
+    Align, Color32, Event, Frame, Layout, PointerButton, Pos2, Rect, Response, RichText, Sense, Ui,
+    Vec2, vec2,
+};
 
 use super::app::App;
 use super::pictures::divider_column;
+use super::style::BAD;
 use crate::components::{Camera, Orbit, Tab, ViewMode, active_camera, get};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -54,6 +58,14 @@ impl App {
             let at = self.place_of(pixel);
             self.draw_arrows(ui.painter(), at);
             draw_cross(ui.painter(), at);
+        }
+        // Over the picture, whose size would otherwise change twice.
+        if let Some(error) = &self.desk.file_error {
+            let text = RichText::new(error).monospace().color(BAD);
+            let ground = Frame::side_top_panel(ui.style());
+            ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
+                ground.show(ui, |ui| ui.label(text))
+            });
         }
     }
 

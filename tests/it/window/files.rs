@@ -213,15 +213,13 @@ fn a_file_that_holds_no_scene_is_reported_and_the_scene_stays() {
         ] {
             let (mut window, path) = on_file();
             edit(&mut window, 3.0);
-            let before = window.record();
+            let before = (window.record(), window.app.picture_size());
             change(&path);
             (0..3).for_each(|_| window.wait(PAUSE));
             let error = window.app.desk.file_error.clone().expect("an error");
-            assert!(
-                error.contains("mine.toml") && error.contains(word),
-                "{error}"
-            );
-            assert_eq!(window.record(), before);
+            let is_told = error.contains("mine.toml") && error.contains(word);
+            assert!(is_told, "{error}");
+            assert_eq!((window.record(), window.app.picture_size()), before);
             // A wrong text is kept, and only a deleted file can be written.
             save(&mut window);
             let is_saved = word == "deleted";
