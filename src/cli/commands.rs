@@ -182,7 +182,7 @@ pub struct RequiresOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The file for the least scene that keeps the tolerance, without several lights, cuboids and Phong of cuboids together
+    /// The file for the least scene that keeps the tolerance: lights, cuboids and Phong are left out together
     #[arg(short, long, value_name = "FILE", value_parser = file(&["toml"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text

@@ -89,48 +89,41 @@ fn color(pixel: u32, mark: Mark) -> u32 {
 }
 
 fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
-    let Proof {
-        limit,
-        pixels,
-        proven,
-        refuted,
-        undecided,
-        outline,
-        worst,
-        widest_enclosure,
-        reference_error,
-        ..
-    } = record.proof;
-    let subject = drawing.subject();
-    let rounding = if *limit > shading::limit(record.tolerance) {
+    let proof = record.proof;
+    let rounding = if proof.limit > shading::limit(record.tolerance) {
         ", half a level of it for the rounding to bytes"
     } else {
         ""
     };
-    let mut lines = vec![format!(
-        "{subject}\n\
-         proven     {proven} of {pixels} pixels\n\
-         refuted    {refuted}\n\
-         undecided  {undecided}\n\
-         outline    {outline} pixels are so near an edge that they may show either side"
-    )];
-    if *proven > 0 {
+    let mut lines = vec![
+        drawing.subject(),
+        format!("proven     {} of {} pixels", proof.proven, proof.pixels),
+        format!("refuted    {}", proof.refuted),
+        format!("undecided  {}", proof.undecided),
+        format!(
+            "outline    {} pixels are so near an edge that they may show either side",
+            proof.outline
+        ),
+    ];
+    if proof.proven > 0 {
         lines.push(format!(
-            "largest proven    {worst:.6} levels off, where {limit} is allowed{rounding}"
+            "largest proven    {:.6} levels off, where {} is allowed{rounding}",
+            proof.worst, proof.limit
         ));
     }
     // Without a cuboid nothing is enclosed.
-    if *widest_enclosure > 0.0 {
+    if proof.widest_enclosure > 0.0 {
         lines.push(format!(
-            "widest enclosure  {widest_enclosure:.1e} levels\n\
-             f64 reference     {reference_error:.1e} levels off at most"
+            "widest enclosure  {:.1e} levels\n\
+             f64 reference     {:.1e} levels off at most",
+            proof.widest_enclosure, proof.reference_error
         ));
     }
     lines.push(format!("time              {:.2} s", record.seconds));
-    if !record.proof.examples.is_empty() {
+    if !proof.examples.is_empty() {
         lines.push("The pixels that are not proven and err most:".to_owned());
     }
-    for example in &record.proof.examples {
+    for example in &proof.examples {
         let [x, y] = example.pixel;
         let verdict = example.verdict.name();
         let (face, error) = (face(drawing, example), example.error);

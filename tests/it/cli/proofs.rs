@@ -103,17 +103,15 @@ fn an_extreme_is_proven_and_drawn_by_its_name() {
     let folder = folder();
     let (status, outcomes) = json(folder.path(), "extremes picture-1x1 extremes/speck --json");
     assert_eq!(status, Some(0));
-    let outcomes = outcomes.as_array().expect("a list");
-    let names: Vec<_> = outcomes
+    for (outcome, name) in outcomes
+        .as_array()
+        .expect("a list")
         .iter()
-        .map(|it| json!([it["name"], it["pass"]]))
-        .collect();
-    assert_eq!(
-        names,
-        [json!(["picture-1x1", true]), json!(["speck", true])]
-    );
-    assert_works(
-        folder.path(),
-        "render extremes/eye-on-an-edge --size 64x48 -o a.png",
-    );
+        .zip(["picture-1x1", "speck"])
+    {
+        let found = json!([outcome["name"], outcome["pass"]]);
+        assert_eq!(found, json!([name, true]));
+    }
+    let line = "render extremes/eye-on-an-edge --size 64x48 -o a.png";
+    assert_works(folder.path(), line);
 }
