@@ -34,7 +34,7 @@ pub fn markdown(head: &[&str], rows: &[Vec<String>]) -> String {
     row(&head.join(" | ")) + &rule + &rows.concat()
 }
 
-/// The words of a text in lines of at most [`WIDTH`] columns.
+/// The words of a text in lines of at most `WIDTH` columns.
 pub fn wrapped(text: &str) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).add_row([text]);
