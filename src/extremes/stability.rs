@@ -28,7 +28,7 @@ use crate::scene::SceneRecord;
 use crate::systems;
 
 /// Width and height of a picture, in pixels.
-pub const SIZE: [usize; 2] = [64, 48];
+pub const SIZE: [usize; 2] = [128, 96];
 
 /// Sweeps all numbers on rayon's current threads. Each has four curves, in the order of [`EVALUATIONS`].
 ///
