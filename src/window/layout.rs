@@ -2,11 +2,11 @@
 //!
 //! The sides leave half of the width to the picture. In a narrow window the inspector takes the panel's place.
 
-use egui::{Color32, Grid, Id, Label, Modal, Panel, RichText, ScrollArea, TextWrapMode, Ui};
+use egui::{Color32, Grid, Id, Label, Modal, Panel, RichText, ScrollArea, TextWrapMode, Ui, vec2};
 
 use super::app::App;
 use super::facts::Facts;
-use super::keys::{BINDINGS, caption_of};
+use super::keys::{BINDINGS, Binding, caption_of};
 use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::short;
 use crate::components::{Side, Tab, ViewMode};
@@ -114,30 +114,38 @@ impl App {
     }
 
     fn help(&mut self, ui: &Ui) {
-        let height = ui.ctx().content_rect().height() - 100.0;
+        let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(vec2(0.0, 0.0));
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
+            ui.set_width(room.x.min(540.0));
             ui.heading("Keys");
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
-            let scroll = ScrollArea::vertical().max_height(height);
-            scroll.min_scrolled_height(height).show(ui, |ui| {
-                Grid::new("keys").show(ui, |ui| {
-                    for (section, rows) in BINDINGS {
-                        ui.strong(*section);
-                        ui.end_row();
-                        for row in *rows {
-                            let keys: Vec<String> = row.keys.iter().map(caption_of).collect();
-                            ui.label(row.name);
-                            ui.weak(keys.join("  "));
-                            ui.end_row();
-                        }
-                    }
-                });
+            ui.weak("A click explains a pixel. Ctrl + - 0 choose the size of letters.");
+            let scroll = ScrollArea::both().max_height(room.y);
+            scroll.min_scrolled_height(room.y).show(ui, |ui| {
+                let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
+                ui.horizontal_top(|ui| [left, right].map(|sections| key_table(ui, sections)));
             });
         });
         if modal.should_close() {
             self.desk.help = false;
         }
     }
+}
+
+/// A table of keys; the name of its first section tells it from others.
+fn key_table(ui: &mut Ui, sections: &[(&str, &[Binding])]) {
+    Grid::new(sections[0].0).show(ui, |ui| {
+        for (section, rows) in sections {
+            ui.strong(*section);
+            ui.end_row();
+            for row in *rows {
+                let keys: Vec<String> = row.keys.iter().map(caption_of).collect();
+                ui.label(row.name);
+                ui.weak(keys.join("  "));
+                ui.end_row();
+            }
+        }
+    });
 }
 
 /// Lays out a folded side. Returns whether its button was clicked.

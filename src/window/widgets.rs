@@ -54,6 +54,8 @@ pub fn slider(
 ) {
     ui.horizontal(|ui| {
         ui.label(name).on_hover_text(says);
+        // Number and keys beside it stay in sight.
+        ui.spacing_mut().slider_width = (ui.available_width() - 95.0).clamp(20.0, 110.0);
         let slider = Slider::new(value, range).logarithmic(true);
         let slider = slider.smallest_positive(least);
         let response = ui.add(slider.custom_formatter(format_number));

@@ -27,15 +27,17 @@ const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 impl App {
     pub fn scene_tab(&mut self, ui: &mut Ui) {
+        // The three numbers of a colour fit into a narrow inspector.
+        let spacing = ui.spacing_mut();
+        spacing.interact_size.x = 16.0;
+        (spacing.item_spacing.x, spacing.button_padding.x) = (3.0, 1.0);
         let before = json!(SceneRecord::of(&self.scene.world));
         let mut scene = before.clone();
         let entities = entities(&self.scene.world);
         let selected = self.desk.selected.take();
         let selected = selected.filter(|it| entities.contains(it));
-        let mut selected = selected.unwrap_or_else(|| entities[0].clone());
-        entity_list(ui, &entities, &mut selected);
-        self.desk.selected = Some(selected.clone());
-        let (kind, name) = selected;
+        let selected = selected.unwrap_or_else(|| entities[0].clone());
+        let (kind, name) = selected.clone();
         let is_viewed = kind == "camera" && scene["view"]["camera"] == name;
         let Some(all) = scene[kind].as_array_mut() else {
             return;
@@ -49,6 +51,7 @@ impl App {
             [ui.small_button("copy"), delete].map(|button| button.clicked())
         });
         let [copies, deletes] = buttons.inner;
+        self.desk.selected = Some(entity_list(ui, &entities, selected));
         ui.separator();
         let own = &mut all[place];
         Grid::new("table").show(ui, |ui| row(ui, "", own));
@@ -64,6 +67,8 @@ impl App {
         }
         if deletes {
             all.remove(place);
+            let neighbour = all.get(place).or(all.last());
+            next = neighbour.map_or(Value::Null, |it| it["name"].clone());
         }
         if is_viewed {
             scene["view"]["camera"] = viewed;
@@ -101,11 +106,12 @@ fn entities(world: &World) -> Vec<EntityName> {
     all.into_iter().flat_map(of_kind).collect()
 }
 
-/// A copy of an entity with a free name. The copy of a cuboid stands beside it.
+/// A copy of an entity with a free name. The copy of a cuboid is moved by a quarter of its size, which keeps it in sight.
 fn copy(kind: &str, all: &[Value], place: usize) -> Value {
     let mut copy = all[place].clone();
-    if let (Some(x), Some(width)) = (copy["position"][0].as_f64(), copy["size"][0].as_f64()) {
-        copy["position"][0] = json!(x + 1.25 * width);
+    let [position, size] = ["position", "size"].map(|key| DVec3::deserialize(&copy[key]));
+    if let (Ok(position), Ok(size)) = (position, size) {
+        copy["position"] = json!(position + size / 4.0);
     }
     let mut names = (2..).map(|number| format!("{kind} {number}"));
     let is_free = |name: &String| all.iter().all(|it| it["name"] != **name);
@@ -125,18 +131,20 @@ fn place_light(light: &mut Value) {
     }
 }
 
-fn entity_list(ui: &mut Ui, entities: &[EntityName], selected: &mut EntityName) {
+/// Lays out the list of entities. Returns the selected one.
+fn entity_list(ui: &mut Ui, entities: &[EntityName], mut selected: EntityName) -> EntityName {
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
         for each in &entities[rows] {
-            let row = Button::selectable(selected == each, &each.1).shortcut_text(each.0);
+            let row = Button::selectable(selected == *each, &each.1).shortcut_text(each.0);
             let row = row.min_size(vec2(ui.available_width(), 0.0));
             if ui.add(row).clicked() {
-                each.clone_into(selected);
+                each.clone_into(&mut selected);
             }
         }
     });
+    selected
 }
 
 /// A row for the value of a key. A table has a row for each of its keys.
@@ -146,10 +154,17 @@ fn row(ui: &mut Ui, key: &str, value: &mut Value) {
             .iter_mut()
             .for_each(|(key, value)| row(ui, key, value));
     }
-    let label = ui.label(key);
-    if let Some(comment) = comment(key) {
-        label.on_hover_text(comment);
-    }
+    ui.horizontal(|ui| {
+        let label = ui.label(key);
+        if let Some(comment) = comment(key) {
+            label.on_hover_text(comment);
+        }
+        if COLORS.contains(&key) && value.is_array() {
+            let mut color = DVec3::deserialize(&*value).unwrap_or_default();
+            color_button(ui, &mut color);
+            *value = json!(color);
+        }
+    });
     ui.horizontal(|ui| match value {
         Value::Bool(on) => drop(ui.checkbox(on, "")),
         Value::String(name) if key == "name" => name_field(ui, name),
@@ -160,11 +175,6 @@ fn row(ui: &mut Ui, key: &str, value: &mut Value) {
             }
         }
         Value::Array(_) => {
-            if COLORS.contains(&key) {
-                let mut color = DVec3::deserialize(&*value).unwrap_or_default();
-                color_button(ui, &mut color);
-                *value = json!(color);
-            }
             let numbers = value.as_array_mut().into_iter().flatten();
             numbers.for_each(|value| number_field(ui, value));
         }

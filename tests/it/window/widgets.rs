@@ -205,8 +205,9 @@ fn entities_are_copied_renamed_and_deleted() {
             expected[index] = expected[index].saturating_add_signed(change);
             assert_eq!(counts(&harness), expected, "{kind}");
         }
-        harness.state_mut().desk.selected = Some((kind, format!("{kind} 2")));
-        harness.run_ok();
+        // The neighbour of the deleted one is selected.
+        let selected = harness.state().desk.selected.clone();
+        assert_eq!(selected, Some((kind, format!("{kind} 2"))));
         click(&mut harness, "delete");
         assert_eq!(record(&harness), start, "{kind}");
     }
