@@ -120,6 +120,7 @@ impl App {
             ui.heading("Keys");
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
             ui.weak("A click explains a pixel. Ctrl + - 0 choose the size of letters.");
+            ui.weak("Divider and discs of lights can be dragged, discs with Shift in depth.");
             let scroll = ScrollArea::both().max_height(room.y);
             scroll.min_scrolled_height(room.y).show(ui, |ui| {
                 let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);

@@ -6,7 +6,7 @@ use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollA
 use hecs::Entity;
 
 use super::app::App;
-use super::keys::{Action, EXACT_SIDES, binding, caption};
+use super::keys::{Action, EXACT_SIDES, binding, caption, gouraud_phong};
 use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
@@ -102,6 +102,10 @@ impl App {
             ViewMode::Wipe if self.viewer().sides == EXACT_SIDES => Action::WipeExact,
             mode => Action::View(mode),
         };
+        // Sides that the keys chose are named below the buttons, which name their own.
+        let sides = self.viewer().sides;
+        let own_sides = gouraud_phong(self.viewer().tolerance);
+        let has_other_sides = shown == Action::View(ViewMode::Wipe) && sides != own_sides;
         for action in [
             Action::View(ViewMode::Picture),
             Action::View(ViewMode::Wipe),
@@ -109,7 +113,11 @@ impl App {
             Action::View(ViewMode::Error),
             Action::View(ViewMode::Tiles),
         ] {
-            self.offer(ui, action, action == shown);
+            self.offer(ui, action, action == shown && !has_other_sides);
+        }
+        if has_other_sides {
+            let [left, right] = sides.map(|side| self.side_name(&side));
+            ui.strong(format!("{left} | {right}"));
         }
         let hold = action_button(ui, Action::Blink, self.desk.blinks.is_some());
         let is_held = hold.is_pointer_button_down_on();

@@ -112,6 +112,9 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     // The inspector opens beside the picture, whose columns move.
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
     assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
+    harness.key_press(Key::Comma);
+    harness.run_ok();
+    harness.get_by_label_contains(" | Phong within");
     // The key chooses the side that errs more.
     let mut window = open();
     window.press(Key::Y);

@@ -205,6 +205,11 @@ fn entities_are_copied_renamed_and_deleted() {
             expected[index] = expected[index].saturating_add_signed(change);
             assert_eq!(counts(&harness), expected, "{kind}");
         }
+        let now = record(&harness);
+        assert_ne!(
+            now.light[0].position,
+            now.light[now.light.len() - 1].position
+        );
         // The neighbour of the deleted one is selected.
         let selected = harness.state().desk.selected.clone();
         assert_eq!(selected, Some((kind, format!("{kind} 2"))));
