@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::components::{Camera, Projection, ShadingMode, View, names};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
 use crate::output::print;
-use crate::prove::{Example, Proof, Verdict, prove};
+use crate::prove::{Example, Proof, Verdict, prove_at};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::scene::{EXTREMES, Scene};
@@ -203,17 +203,18 @@ impl Extreme {
             scene.look_from(camera)?;
             let mut seen = 0;
             for view in self.views(&scene.world) {
-                for (worst, tolerance) in worst.iter_mut().zip(TOLERANCES) {
-                    let (view, world) = (view.with_tolerance(tolerance), &mut scene.world);
-                    // No monitor: the progress of one picture among many is not shown.
-                    let proof = prove(world, &view, None, level, Monitor::NONE)?;
-                    let checked = self.check(&proof, world, &view, level);
+                let world = &mut scene.world;
+                // No monitor: the progress of one picture among many is not shown.
+                let proofs = prove_at(TOLERANCES, world, &view, None, level, Monitor::NONE)?;
+                for (index, (proof, tolerance)) in proofs.iter().zip(TOLERANCES).enumerate() {
+                    let view = view.with_tolerance(tolerance);
+                    let checked = self.check(proof, world, &view, level);
                     checked.with_context(|| {
                         let mode = view.shading.map_or("", ShadingMode::name);
                         let projection = view.projection.name();
                         format!("camera {camera}, {projection}, {mode}, tolerance {tolerance}")
                     })?;
-                    *worst = worst.max(proof.worst);
+                    worst[index] = worst[index].max(proof.worst);
                     seen += proof.covered;
                     pictures += 1;
                 }

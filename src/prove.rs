@@ -241,54 +241,84 @@ pub fn prove(
     level: Level,
     monitor: Monitor,
 ) -> anyhow::Result<Proof> {
+    let [proof] = prove_at([view.tolerance], world, view, picture, level, monitor)?;
+    Ok(proof)
+}
+
+/// As [`prove`], at each of these tolerances instead of the view's. Pixels are enclosed once for all of them.
+///
+/// # Errors
+/// If the picture does not fit in memory, or the work is cancelled.
+pub fn prove_at<const COUNT: usize>(
+    tolerances: [f64; COUNT],
+    world: &mut World,
+    view: &View,
+    picture: Option<&[u32]>,
+    level: Level,
+    monitor: Monitor,
+) -> anyhow::Result<[Proof; COUNT]> {
     let [width, height] = view.size;
     // Levels and bytes.
-    let mut frames =
-        [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level)));
+    let mut frames = tolerances
+        .map(|_| [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level))));
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
     // Bytes are rounded levels.
     let rounding = if picture.is_some() { 0.5 } else { 0.0 };
-    let limit = limit(view.tolerance) + rounding;
-    let mut proof = Proof {
-        limit,
+    let mut proofs = tolerances.map(|tolerance| Proof {
+        limit: limit(tolerance) + rounding,
         pixels: width * height,
-        marks: memory::reserve_pixels(view.size)?,
         ..Proof::default()
-    };
+    });
+    let limits = proofs.each_ref().map(|proof| proof.limit);
+    for proof in &mut proofs {
+        proof.marks = memory::reserve_pixels(view.size)?;
+    }
     monitor.in_bands("proving", height, |rows| {
-        for frame in frames.iter_mut().filter(|_| picture.is_none()) {
-            systems::draw_rows(world, view, rows.clone(), frame)?;
+        if picture.is_none() {
+            for (tolerance, frames) in tolerances.iter().zip(&mut frames) {
+                let view = view.with_tolerance(*tolerance);
+                for frame in frames {
+                    systems::draw_rows(world, &view, rows.clone(), frame)?;
+                }
+            }
         }
-        let [levels, display] = &frames;
         let prove_row = |y: usize| {
             monitor.check()?;
             let mut exact = Vec::with_capacity(width);
             reference.row(y, |_, seen| exact.push(seen[0]));
-            let mut row = Proof::default();
+            let mut proofs = tolerances.map(|_| Proof::default());
             enclosures.row(y, |x, seen| {
-                let shown = match picture {
-                    Some(picture) => Shown::of_bytes(picture[y * width + x], seen, limit),
-                    None => Shown::at((y - rows.start) * width + x, levels, display),
-                };
-                row.add([x, y], shown, seen, limit);
+                let pixel = (y - rows.start) * width + x;
                 let error = nearest(exact[x].face(), exact[x].levels, seen);
                 let most = error.map_or(255.0, |[_, most]| most);
-                row.reference_error = row.reference_error.max(most);
+                let drawn = frames.iter().zip(limits);
+                for (proof, ([levels, display], limit)) in proofs.iter_mut().zip(drawn) {
+                    let shown = match picture {
+                        Some(picture) => Shown::of_bytes(picture[y * width + x], seen, limit),
+                        None => Shown::at(pixel, levels, display),
+                    };
+                    proof.add([x, y], shown, seen, limit);
+                    proof.reference_error = proof.reference_error.max(most);
+                }
             });
-            anyhow::Ok(row)
+            Ok(proofs)
         };
         let proven = rows.clone().into_par_iter().map(prove_row);
         for row in proven.collect::<anyhow::Result<Vec<_>>>()? {
-            proof.append(row);
+            for (proof, row) in proofs.iter_mut().zip(row) {
+                proof.append(row);
+            }
         }
         Ok(())
     })?;
-    let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
-    proof.proven = count(|mark| mark.verdict == Verdict::Proven);
-    proof.undecided = count(|mark| mark.verdict == Verdict::Undecided);
-    proof.refuted = count(|mark| mark.verdict == Verdict::Refuted);
-    proof.outline = count(|mark| mark.is_outline);
-    proof.covered = count(|mark| mark.is_covered);
-    Ok(proof)
+    for proof in &mut proofs {
+        let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
+        proof.proven = count(|mark| mark.verdict == Verdict::Proven);
+        proof.undecided = count(|mark| mark.verdict == Verdict::Undecided);
+        proof.refuted = count(|mark| mark.verdict == Verdict::Refuted);
+        proof.outline = count(|mark| mark.is_outline);
+        proof.covered = count(|mark| mark.is_covered);
+    }
+    Ok(proofs)
 }

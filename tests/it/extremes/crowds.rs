@@ -5,13 +5,13 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::prove::nearest;
+use shadetrade::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
+use shadetrade::report::Monitor;
 use shadetrade::shading::TileKind;
 use shadetrade::systems;
 
 use super::is_full;
-use crate::prove::proof;
 use crate::support::scene::{at, draw, empty, placed, shine, spawn_cuboid, view};
 
 const MATERIAL: Material = Material {
@@ -60,9 +60,10 @@ fn light_all(world: &mut World, place: DVec3) {
 
 /// Asserts that every pixel of a view is proven at both tolerances, and that at least this many show a cuboid.
 fn assert_proven(world: &mut World, view: &View, least: u64) {
-    for (tolerance, limit) in [(0.0, 0.05), (0.5, 0.5)] {
-        let proof = proof(world, &view.with_tolerance(tolerance));
-        assert_eq!(proof.limit, limit);
+    let proofs = prove_at(TOLERANCES, world, view, None, Level::new(), Monitor::NONE);
+    let proofs = proofs.expect("a small picture fits");
+    assert_eq!(proofs.each_ref().map(|proof| proof.limit), [0.05, 0.5]);
+    for proof in proofs {
         let open = (proof.refuted, proof.undecided);
         assert_eq!(open, (0, 0), "{view:?}: {:?}", proof.examples);
         assert!(proof.covered >= least, "{} pixels", proof.covered);
