@@ -222,13 +222,13 @@ fn file(endings: &'static [&'static str]) -> impl TypedValueParser<Value = Outpu
         let is_special = found.is_ok_and(|it| !it.is_file() && !it.is_dir());
         let ending = Path::new(&path).extension();
         let is_legal = |ending: &OsStr| endings.iter().any(|it| ending.eq_ignore_ascii_case(it));
-        match path.is_empty() {
-            true => Err("a file needs a name".to_owned()),
-            false if is_special || ending.is_none_or(is_legal) => Ok(Output::from(path)),
-            false => Err(format!(
-                "its name ends in .{}, or has no ending",
-                endings.join(" or .")
-            )),
+        if path.is_empty() {
+            Err("a file needs a name".to_owned())
+        } else if is_special || ending.is_none_or(is_legal) {
+            Ok(Output::from(path))
+        } else {
+            let endings = endings.join(" or .");
+            Err(format!("its name ends in .{endings}, or has no ending"))
         }
     })
 }

@@ -6,9 +6,9 @@
 //! ```
 //! A pixel is covered if its centre is inside the snapped polygon, or on its top or left edge. The arithmetic is in integers
 //! and exact, so each pixel along a shared edge is drawn once. Depths are compared only if more than one cuboid is in the
-//! picture, and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by strip, so
-//! that a strip stays in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of a picture
-//! do not depend on threads, strips or the part of the picture that is drawn.
+//! picture, and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by
+//! strip, so that a strip stays in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of
+//! a picture do not depend on threads, strips or the part of the picture that is drawn.
 
 mod canvas;
 mod listing;

@@ -2,7 +2,9 @@
 //!
 //! The sides leave half of the width to the picture. In a narrow window the inspector takes the panel's place.
 
-use egui::{Color32, Grid, Id, Label, Modal, Panel, RichText, ScrollArea, TextWrapMode, Ui, vec2};
+use egui::{
+    Color32, Grid, Id, Label, Modal, Panel, RichText, ScrollArea, TextWrapMode, Ui, Vec2, vec2,
+};
 
 use super::app::App;
 use super::facts::Facts;
@@ -114,7 +116,7 @@ impl App {
     }
 
     fn help(&mut self, ui: &Ui) {
-        let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(vec2(0.0, 0.0));
+        let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(Vec2::ZERO);
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
             ui.set_width(room.x.min(540.0));
             ui.heading("Keys");

@@ -98,14 +98,18 @@ impl App {
     }
 
     fn view_rows(&mut self, ui: &mut Ui) {
-        let shown = match self.viewer().show {
-            ViewMode::Wipe if self.viewer().sides == EXACT_SIDES => Action::WipeExact,
-            mode => Action::View(mode),
+        let Viewer {
+            show,
+            sides,
+            tolerance,
+            ..
+        } = *self.viewer();
+        // Sides that other keys chose belong to none of the buttons, and are named below them.
+        let shown = match show {
+            ViewMode::Wipe if sides == EXACT_SIDES => Some(Action::WipeExact),
+            ViewMode::Wipe if sides != gouraud_phong(tolerance) => None,
+            mode => Some(Action::View(mode)),
         };
-        // Sides that the keys chose are named below the buttons, which name their own.
-        let sides = self.viewer().sides;
-        let own_sides = gouraud_phong(self.viewer().tolerance);
-        let has_other_sides = shown == Action::View(ViewMode::Wipe) && sides != own_sides;
         for action in [
             Action::View(ViewMode::Picture),
             Action::View(ViewMode::Wipe),
@@ -113,9 +117,9 @@ impl App {
             Action::View(ViewMode::Error),
             Action::View(ViewMode::Tiles),
         ] {
-            self.offer(ui, action, action == shown && !has_other_sides);
+            self.offer(ui, action, Some(action) == shown);
         }
-        if has_other_sides {
+        if shown.is_none() {
             let [left, right] = sides.map(|side| self.side_name(&side));
             ui.strong(format!("{left} | {right}"));
         }

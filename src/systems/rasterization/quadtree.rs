@@ -123,8 +123,8 @@ impl Canvas<'_, '_> {
         }
     }
 
-    /// Draws four squares. Each is interpolated if that keeps the tolerance and may be cheaper. Otherwise it is cut into quarters, or drawn pixel
-    /// by pixel if it is small or its quarters are unlikely to be cheaper.
+    /// Draws four squares. Each is interpolated if that keeps the tolerance and may be cheaper. Otherwise it is cut into
+    /// quarters, or drawn pixel by pixel if it is small or its quarters are unlikely to be cheaper.
     fn draw_squares<S: Simd>(
         &mut self,
         simd: S,

@@ -36,23 +36,25 @@ impl App {
         let entities = entities(&self.scene.world);
         let selected = self.desk.selected.take();
         let selected = selected.filter(|it| entities.contains(it));
-        let selected = selected.unwrap_or_else(|| entities[0].clone());
-        let (kind, name) = selected.clone();
-        let is_viewed = kind == "camera" && scene["view"]["camera"] == name;
-        let Some(all) = scene[kind].as_array_mut() else {
-            return;
-        };
-        let place = all.iter().position(|it| it["name"] == name);
-        let place = place.unwrap_or_default();
-        let can_delete = kind == "light" || all.len() > 1;
+        let mut selected = selected.unwrap_or_else(|| entities[0].clone());
+        let of_kind = entities.iter().filter(|it| it.0 == selected.0);
+        let can_delete = selected.0 == "light" || of_kind.count() > 1;
         let buttons = ui.horizontal(|ui| {
             let delete = ui.add_enabled(can_delete, Button::new("delete").small());
             let delete = delete.on_disabled_hover_text("A scene has at least one.");
             [ui.small_button("copy"), delete].map(|button| button.clicked())
         });
         let [copies, deletes] = buttons.inner;
-        self.desk.selected = Some(entity_list(ui, &entities, selected));
+        entity_list(ui, &entities, &mut selected);
+        self.desk.selected = Some(selected.clone());
         ui.separator();
+        let (kind, name) = selected;
+        let is_viewed = kind == "camera" && scene["view"]["camera"] == name;
+        let Some(all) = scene[kind].as_array_mut() else {
+            return;
+        };
+        let place = all.iter().position(|it| it["name"] == name);
+        let place = place.unwrap_or_default();
         let own = &mut all[place];
         Grid::new("table").show(ui, |ui| row(ui, "", own));
         if kind == "light" {
@@ -132,20 +134,18 @@ fn place_light(light: &mut Value) {
     }
 }
 
-/// Lays out the list of entities. Returns the selected one.
-fn entity_list(ui: &mut Ui, entities: &[EntityName], mut selected: EntityName) -> EntityName {
+fn entity_list(ui: &mut Ui, entities: &[EntityName], selected: &mut EntityName) {
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
         for each in &entities[rows] {
-            let row = Button::selectable(selected == *each, &each.1).shortcut_text(each.0);
+            let row = Button::selectable(selected == each, &each.1).shortcut_text(each.0);
             let row = row.min_size(vec2(ui.available_width(), 0.0));
             if ui.add(row).clicked() {
-                each.clone_into(&mut selected);
+                each.clone_into(selected);
             }
         }
     });
-    selected
 }
 
 /// A row for the value of a key. A table has a row for each of its keys.
