@@ -6,7 +6,6 @@ use serde_json::json;
 use super::app::App;
 use super::keys::{self, Action, EXACT_SIDES, TOLERANCES, gouraud_phong};
 use super::recording::patch;
-use super::tags::choices;
 use crate::components::{
     Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered,
 };
@@ -88,7 +87,6 @@ impl App {
             }
             Action::View(mode) => self.viewer_mut().show = mode,
             Action::WipeExact => self.wipe(EXACT_SIDES),
-            Action::Side(index, steps) => self.step_side(index, steps),
             Action::Worst => self.explain_worst(),
             Action::Probe(right, down) => self.step_probed([right, down]),
             // It acts while it is held.
@@ -183,16 +181,6 @@ impl App {
     pub fn wipe(&mut self, sides: [Side; 2]) {
         let mut viewer = self.viewer_mut();
         (viewer.show, viewer.sides) = (ViewMode::Wipe, sides);
-    }
-
-    /// Shows the wipe with another of the choices on one side.
-    fn step_side(&mut self, index: usize, steps: i32) {
-        let mut sides = self.viewer().sides;
-        let choices = choices();
-        let present = choices.iter().position(|choice| *choice == sides[index]);
-        let next = present.map_or(0, |place| place as i32 + steps);
-        sides[index] = choices[next.rem_euclid(choices.len() as i32) as usize];
-        self.wipe(sides);
     }
 
     /// Moves the probed pixel within the picture; the first one is in the middle.

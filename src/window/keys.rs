@@ -24,8 +24,6 @@ pub enum Action {
     View(ViewMode),
     /// Shows the wipe between a method and exact Phong.
     WipeExact,
-    /// Shows the wipe with the next choice on its left (0) or right (1) side: an earlier one if negative.
-    Side(usize, i32),
     /// Probes the worst pixel.
     Worst,
     /// Moves the probed pixel: columns to the right, rows down.
@@ -121,8 +119,6 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
         bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),
         bind("blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Action::Blink)]),
-        bind("left side", "The next method left of the divider; with Shift, the one before.", &[(NO, Key::Comma, Action::Side(0, 1)), (SHIFT, Key::Comma, Action::Side(0, -1))]),
-        bind("right side", "The next method right of the divider; with Shift, the one before.", &[(NO, Key::Period, Action::Side(1, 1)), (SHIFT, Key::Period, Action::Side(1, -1))]),
         bind("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Action::Worst)]),
         bind("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Action::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Action::Probe(1, 0)),

@@ -104,7 +104,7 @@ impl App {
             tolerance,
             ..
         } = *self.viewer();
-        // Sides that other keys chose belong to none of the buttons, and are named below them.
+        // Sides that the tags chose belong to none of the buttons.
         let shown = match show {
             ViewMode::Wipe if sides == EXACT_SIDES => Some(Action::WipeExact),
             ViewMode::Wipe if sides != gouraud_phong(tolerance) => None,
@@ -118,10 +118,6 @@ impl App {
             Action::View(ViewMode::Tiles),
         ] {
             self.offer(ui, action, Some(action) == shown);
-        }
-        if shown.is_none() {
-            let [left, right] = sides.map(|side| self.side_name(&side));
-            ui.strong(format!("{left} | {right}"));
         }
         let hold = action_button(ui, Action::Blink, self.desk.blinks.is_some());
         let is_held = hold.is_pointer_button_down_on();

@@ -1,6 +1,6 @@
-//! The two sides of a wipe: tags with the method of each and its price. And the pixel with the largest error.
+//! The two sides of a wipe: tags that choose the method of each and show its price. And the pixel with the largest error.
 
-use egui::{Align, Color32, Frame, Layout, RichText, TextWrapMode, Ui, UiBuilder};
+use egui::{Align, Color32, ComboBox, Frame, Layout, RichText, TextWrapMode, Ui, UiBuilder};
 
 use super::app::App;
 use super::viewport::DIVIDER_MARGIN;
@@ -15,8 +15,8 @@ use crate::trade::verdict::method_name;
 const GAP: f32 = 9.0;
 const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
 
-/// The sides to choose from, in the order of the keys.
-pub fn choices() -> Vec<Side> {
+/// The sides to choose from.
+fn choices() -> Vec<Side> {
     let methods = METHODS.iter().map(|method| Side::Method {
         mode: method.mode,
         tolerance: method.tolerance,
@@ -51,7 +51,7 @@ impl App {
 
     /// Lays out the tag of each side in the corner of its half; while the sides take turns, that of the side on screen.
     pub fn tags(&mut self, ui: &mut Ui) {
-        let sides = self.viewer().sides;
+        let mut sides = self.viewer().sides;
         let area = self.place.shrink(GAP);
         let (left, right) = area.split_left_right_at_fraction(0.5);
         let halves = [(left, Align::Min), (right, Align::Max)];
@@ -69,12 +69,19 @@ impl App {
                 .inner_margin(6.0)
                 .show(&mut tag, |ui| {
                     ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-                    ui.strong(self.side_name(&sides[index]));
+                    let name = self.side_name(&sides[index]);
+                    let methods = ComboBox::from_id_salt(index).selected_text(name);
+                    methods.height(400.0).show_ui(ui, |ui| {
+                        for side in choices() {
+                            ui.selectable_value(&mut sides[index], side, self.side_name(&side));
+                        }
+                    });
                     if self.prices()[index].is_some_and(|price| self.price(ui, price)) {
                         clicked = Some(index);
                     }
                 });
         }
+        self.viewer_mut().sides = sides;
         if let Some(index) = clicked {
             self.explain(index);
         }

@@ -66,16 +66,6 @@ fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
             view.show = ViewMode::Wipe;
             view.sides = [Side::Picture, Side::Reference];
         }
-        Action::Side(index, way) => {
-            view.show = ViewMode::Wipe;
-            let other = match (index, way) {
-                (0, 1) => "phong-unit-vectors",
-                (0, _) => "gouraud-0",
-                (_, 1) => "phong-0.25",
-                _ => "phong-1",
-            };
-            view.sides[index] = other.to_owned().try_into().expect("a side");
-        }
         Action::Probe(right, down) => {
             let [x, y] = view.pixel.expect("the middle");
             let moved = |at: usize, by: i32| at.saturating_add_signed(by as isize);

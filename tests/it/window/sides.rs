@@ -60,9 +60,9 @@ fn both_tags_are_whole_in_windows_of_any_width() {
             ["Gouraud", "worst pixel 165 of 255"],
             ["Phong within half a level", "worst pixel 0.500 of 255"],
         ];
-        let tags = tags.map(|labels| {
-            let [name, worst] = labels.map(|label| harness.get_by_label(label).rect());
-            name.union(worst)
+        let tags = tags.map(|[name, worst]| {
+            let name = harness.get_by_value(name).rect();
+            name.union(harness.get_by_label(worst).rect())
         });
         assert!(
             tags.iter().all(|tag| place.contains_rect(*tag)),
@@ -112,11 +112,21 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     // The inspector opens beside the picture, whose columns move.
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
     assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
-    harness.key_press(Key::Comma);
-    harness.run_ok();
-    harness.get_by_label_contains(" | Phong within");
     // The key chooses the side that errs more.
     let mut window = open();
     window.press(Key::Y);
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
+}
+
+#[test]
+fn a_tag_chooses_the_method_of_its_side() {
+    let mut harness = widgets(measured(), SIZE);
+    harness.key_press(Key::F3);
+    harness.run_ok();
+    harness.get_by_value("Phong within half a level").click();
+    harness.run_ok();
+    harness.get_by_label("Exact Phong in f64").click();
+    harness.run_ok();
+    let sides = harness.state().viewer().sides;
+    assert_eq!(sides, [gouraud_phong(0.5)[0], Side::Reference]);
 }
