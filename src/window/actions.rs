@@ -39,7 +39,9 @@ impl App {
             // A text field has no use for these.
             let works_in_fields = matches!(action, Action::Save | Action::SaveAs)
                 || (Key::F1..=Key::F12).contains(&key);
-            let is_taken = has_focus && moves_widgets(key) || has_field && !works_in_fields;
+            let is_taken = has_focus && moves_widgets(key)
+                || has_field && !works_in_fields
+                || self.takes_escape && action == Action::Close;
             if !is_taken && (!repeat || goes_on(action)) {
                 self.run(action);
             }

@@ -62,6 +62,8 @@ pub struct App {
     pub shows_times: bool,
     pub now: Duration,
     pub quits: bool,
+    /// Whether a field or a popup of the last layout takes Escape.
+    pub(super) takes_escape: bool,
     pub(super) painter: Painter,
     pub(super) pixels: Vec<u32>,
     /// Width and height of the window as of the last step, in pixels.
@@ -121,6 +123,7 @@ impl App {
             shows_times: true,
             now: Duration::ZERO,
             quits: false,
+            takes_escape: false,
             painter,
             pixels: Vec::new(),
             size: [0, 0],

@@ -24,6 +24,8 @@ pub struct Desk {
     pub message: Option<Message>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
+    /// The file that was open before another scene was chosen.
+    pub last_file: Option<String>,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityName>,
     /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.

@@ -48,6 +48,9 @@ impl App {
                 if let Some(told) = told {
                     self.say(told);
                 }
+                if self.scene.path.is_some() {
+                    self.desk.last_file = Some(self.scene.name.clone());
+                }
                 self.open(scene);
             }
             Err(error) => self.say(format!("not opened: {error:#}")),

@@ -90,7 +90,7 @@ impl App {
     }
 
     /// Shows the progress of the work in the background until a fact is known.
-    fn wait<T>(&self, ui: &mut Ui, fact: &Latest<T>) {
+    pub fn wait<T>(&self, ui: &mut Ui, fact: &Latest<T>) {
         match self.progress() {
             _ if fact.is_current => {}
             None => drop(ui.weak("waits until nothing moves")),

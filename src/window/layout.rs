@@ -3,7 +3,8 @@
 //! The sides leave half of the width to the picture. In a narrow window the inspector takes the panel's place.
 
 use egui::{
-    Color32, Grid, Id, Label, Modal, Panel, RichText, ScrollArea, TextWrapMode, Ui, Vec2, vec2,
+    Color32, Grid, Id, Label, Modal, Panel, Popup, RichText, ScrollArea, TextWrapMode, Ui, Vec2,
+    vec2,
 };
 
 use super::app::App;
@@ -38,8 +39,8 @@ impl App {
         let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
         let is_shared = has_panel && has_inspector;
         let most = width / if is_shared { 4.0 } else { 2.0 };
-        // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wide one.
-        let id = |name: &str| Id::new((name, most < USUAL));
+        // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
+        let id = |name: &str| Id::new((name, most.min(USUAL) as u32));
         let side = |panel: Panel| panel.default_size(USUAL).size_range(LEAST.min(most)..=most);
         if has_panel {
             side(Panel::left(id("panel"))).show_inside(ui, |ui| {
@@ -59,6 +60,7 @@ impl App {
         if self.desk.help {
             self.help(ui);
         }
+        self.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
     }
 
     /// The status line: the facts about the picture, or a message.

@@ -51,6 +51,7 @@ impl App {
             let x = place.min.x + share * (place.width() - place.height());
             painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
         }
+        self.wait(ui, &self.facts.comparison);
         swatch(ui, EDGE, "another face is seen");
         swatch(ui, NOTHING, "nothing is drawn");
     }

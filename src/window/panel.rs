@@ -160,17 +160,21 @@ impl App {
 
     fn scene_rows(&mut self, ui: &mut Ui) {
         let mut chosen = None;
+        let last = self.desk.last_file.as_deref();
+        let last = last.map(|name| (name, "# The file that was open before."));
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            for (name, text) in BUILT_IN.iter().chain(EXTREMES) {
+            for (name, text) in last.iter().chain(&BUILT_IN).chain(EXTREMES) {
                 let row = ui.selectable_label(self.scene.name == *name, *name);
                 if row.on_hover_text(heading(text)).clicked() {
-                    chosen = Scene::load(Some(name)).ok();
+                    chosen = Some(Scene::load(Some(name)));
                 }
             }
         });
-        if let Some(scene) = chosen {
-            self.choose(scene);
+        match chosen {
+            Some(Ok(scene)) => self.choose(scene),
+            Some(Err(error)) => self.say(error.to_string()),
+            None => {}
         }
         ui.horizontal_wrapped(|ui| {
             for action in [

@@ -5,7 +5,7 @@ use egui::{Align, Color32, ComboBox, Frame, Layout, RichText, TextWrapMode, Ui, 
 use super::app::App;
 use super::viewport::DIVIDER_MARGIN;
 use super::widgets::{ink, short};
-use crate::components::{Side, Tab, ViewMode};
+use crate::components::{Side, Tab, ViewMode, viewer_mut};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
@@ -134,10 +134,10 @@ impl App {
 
     /// Probes a pixel, and opens the tab for it if there is room.
     pub fn probe(&mut self, pixel: [usize; 2]) {
-        self.viewer_mut().pixel = Some(pixel);
-        // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.has_both && self.viewer().inspector != Some(Tab::Scene) {
-            self.viewer_mut().inspector = Some(Tab::Pixel);
+        let mut viewer = viewer_mut(&mut self.scene.world);
+        viewer.pixel = Some(pixel);
+        if self.desk.has_both {
+            viewer.inspector = Some(Tab::Pixel);
         }
     }
 }

@@ -82,6 +82,7 @@ impl App {
             match edited(scene) {
                 Ok(record) => {
                     self.restore(&record);
+                    self.desk.message = None;
                     self.desk.selected = Some((kind, next));
                 }
                 Err(error) => self.say(error.to_string()),

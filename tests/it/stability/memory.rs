@@ -81,9 +81,4 @@ fn saving_a_picture_allocates_its_bytes_and_the_file() {
     let taken = measure(|| output.write_png(&pixels, size).expect("written"));
     let bytes = 3 * pixels.len() as u64;
     assert!(taken.bytes_max < 6 * bytes, "{taken:?} for {bytes}");
-    let saved = image::open(folder.path().join("a.png")).expect("a picture");
-    let saved = saved.into_rgb8();
-    assert_eq!(saved.dimensions(), (1000, 2000));
-    let same = |(pixel, saved): (&u32, &image::Rgb<u8>)| pixel.to_be_bytes()[1..] == saved.0;
-    assert!(pixels.iter().zip(saved.pixels()).all(same));
 }

@@ -4,12 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 use shadetrade::components::Light;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::window::recording::Log;
 use shadetrade::window::replay;
 
 use super::{PAUSE, SIZE, Window};
+use crate::support::window::widgets;
 
 const CONTROL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
@@ -162,6 +164,19 @@ fn another_scene_takes_no_edits_with_it() {
     );
     window.undo();
     assert_eq!(window.message(), "nothing to undo");
+}
+
+#[test]
+fn the_file_that_was_open_is_listed_with_the_built_in_scenes() {
+    let (mut window, path) = on_file();
+    let scene = Scene::load(Some("assignment")).expect("built in");
+    window.app.choose(scene);
+    let mut harness = widgets(window.app, [1000, 1000]);
+    harness.get_by_value("assignment").click();
+    harness.run_ok();
+    harness.get_by_label(&path.to_string_lossy()).click();
+    harness.run_ok();
+    assert_eq!(harness.state().file.path, Some(path));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::time::Duration;
 use egui::Key;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Side};
+use shadetrade::components::{ShadingMode, Side, Tab};
 use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::ErrorStatistics;
@@ -42,8 +42,10 @@ fn measured() -> App {
     app
 }
 
-fn open() -> Window {
-    let mut window = Window::with(measured(), SIZE);
+fn open(tab: Option<Tab>) -> Window {
+    let mut app = measured();
+    app.viewer_mut().inspector = tab;
+    let mut window = Window::with(app, SIZE);
     window.press(Key::F3);
     window.step(Vec::new());
     window
@@ -101,7 +103,7 @@ fn two_pictures_take_turns_while_a_key_is_held() {
 fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     let probed = |window: &Window| window.app.viewer().pixel;
     // Gouraud's lies right of the divider, which moves off it.
-    let mut window = open();
+    let mut window = open(None);
     let mut harness = widgets(measured(), SIZE);
     harness.key_press(Key::F3);
     harness.run_ok();
@@ -113,9 +115,10 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
     assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
     // The key chooses the side that errs more.
-    let mut window = open();
+    let mut window = open(Some(Tab::Scene));
     window.press(Key::Y);
     assert_eq!(probed(&window).map(|[_, y]| y), Some(WORST[1][1]));
+    assert_eq!(window.app.viewer().inspector, Some(Tab::Pixel));
 }
 
 #[test]
