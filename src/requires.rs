@@ -298,6 +298,12 @@ mod tests {
             (vec![front, behind], vec![behind], [0.0, 81.0]),
             (vec![behind], vec![front, behind], [0.0, 81.0]),
             (vec![front], vec![behind], [80.0, 81.0]),
+            // Rounding outwards ends at the largest difference of displayed levels.
+            (
+                vec![grey(0, 255.0, 255.0)],
+                vec![grey(0, 1e-99, 1e-99)],
+                [255.0_f64.next_down(), 255.0],
+            ),
             // The nearest possible colour of the same face counts.
             (vec![front, darker], vec![darker], [0.0, 11.0]),
         ];

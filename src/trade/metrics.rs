@@ -98,14 +98,14 @@ pub fn ends<R: Real>(levels: [R; 3]) -> [[f64; 2]; 3] {
     levels.map(|level| level.endpoints().map(displayed))
 }
 
-/// The least and the largest difference of two enclosures, over the channels; rounded outwards.
+/// The least and the largest difference of two enclosures, 0..=255, over the channels; rounded outwards.
 pub fn difference(left: &[[f64; 2]; 3], right: &[[f64; 2]; 3]) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];
     for (left, right) in left.iter().zip(right) {
         let [left, right] = [left, right].map(|[least, most]| Interval::new(*least, *most));
         let [below, above] = (left - right).endpoints();
         let [least, most] = [below.max(-above), above.max(-below)];
-        largest = [largest[0].max(least), largest[1].max(most)];
+        largest = [largest[0].max(least), largest[1].max(displayed(most))];
     }
     largest
 }
