@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-/// An entity of the scene: the key of its kind in scene files, and its name.
-pub type EntityName = (&'static str, String);
+/// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
+pub type EntityPlace = (&'static str, usize);
 
 /// A message in the status line.
 pub struct Message {
@@ -27,7 +27,7 @@ pub struct Desk {
     /// The file that was open before another scene was chosen.
     pub last_file: Option<String>,
     /// The entity that the scene's tab shows.
-    pub selected: Option<EntityName>,
+    pub selected: Option<EntityPlace>,
     /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.
     pub clicked: Option<[usize; 2]>,
 }

@@ -6,7 +6,7 @@ use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollA
 use hecs::Entity;
 
 use super::app::App;
-use super::keys::{Action, EXACT_SIDES, binding, caption, gouraud_phong};
+use super::keys::{Action, EXACT_SIDES, binding, caption, gouraud_phong, keys};
 use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
@@ -91,10 +91,9 @@ impl App {
         color_button(ui, &mut light.color);
         let says = "Strength of the light, 0 to 1e30.";
         number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
-        let names = ["white", "red", "specular", "ambient"];
-        let named = names.into_iter().find(|own| *own == name.0);
-        let action = named.map_or(Action::Light(place), Action::LightNamed);
-        ui.weak(caption(action));
+        let is_named = |it: &Action| matches!(it, Action::LightNamed(own) if *own == name.0);
+        let named = keys().map(|key| key.2).find(is_named);
+        ui.weak(caption(named.unwrap_or(Action::Light(place))));
     }
 
     fn view_rows(&mut self, ui: &mut Ui) {

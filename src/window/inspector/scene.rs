@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use crate::components::{Camera, Light, Mesh, names};
 use crate::scene::{BUILT_IN, SceneRecord};
 use crate::window::app::App;
-use crate::window::desk::EntityName;
+use crate::window::desk::EntityPlace;
 use crate::window::widgets::{color_button, number};
 
 /// The keys that have a colour picker.
@@ -34,10 +34,12 @@ impl App {
         let before = json!(SceneRecord::of(&self.scene.world));
         let mut scene = before.clone();
         let entities = entities(&self.scene.world);
-        let selected = self.desk.selected.take();
-        let selected = selected.filter(|it| entities.contains(it));
-        let mut selected = selected.unwrap_or_else(|| entities[0].clone());
-        let of_kind = entities.iter().filter(|it| it.0 == selected.0);
+        let selected = self.desk.selected.unwrap_or(entities[0].0);
+        // Undo and a new file may leave fewer entities.
+        let is_there = |it: &EntityPlace| it.0 == selected.0 && it.1 <= selected.1;
+        let mut places = entities.iter().map(|it| it.0);
+        let mut selected = places.rfind(is_there).unwrap_or(entities[0].0);
+        let of_kind = entities.iter().filter(|it| it.0.0 == selected.0);
         let can_delete = selected.0 == "light" || of_kind.count() > 1;
         let buttons = ui.horizontal(|ui| {
             let delete = ui.add_enabled(can_delete, Button::new("delete").small());
@@ -46,44 +48,40 @@ impl App {
         });
         let [copies, deletes] = buttons.inner;
         entity_list(ui, &entities, &mut selected);
-        self.desk.selected = Some(selected.clone());
         ui.separator();
-        let (kind, name) = selected;
-        let is_viewed = kind == "camera" && scene["view"]["camera"] == name;
+        let (kind, mut place) = selected;
+        let is_viewed = kind == "camera" && scene["view"]["camera"] == scene[kind][place]["name"];
         let Some(all) = scene[kind].as_array_mut() else {
             return;
         };
-        let place = all.iter().position(|it| it["name"] == name);
-        let place = place.unwrap_or_default();
         let own = &mut all[place];
         Grid::new("table").show(ui, |ui| row(ui, "", own));
         if kind == "light" {
             place_light(own);
         }
-        let mut next = own["name"].clone();
-        let viewed = if deletes { Value::Null } else { next.clone() };
+        let viewed = if deletes {
+            Value::Null
+        } else {
+            own["name"].clone()
+        };
         if copies {
-            let copy = copy(kind, all, place);
-            next = copy["name"].clone();
-            all.push(copy);
+            all.push(copy(kind, all, place));
+            place = all.len() - 1;
         }
         if deletes {
             all.remove(place);
-            let neighbour = all.get(place).or(all.last());
-            next = neighbour.map_or(Value::Null, |it| it["name"].clone());
         }
+        self.desk.selected = Some((kind, place));
         if is_viewed {
             scene["view"]["camera"] = viewed;
         }
         ui.separator();
         Grid::new("scene").show(ui, |ui| row(ui, "background", &mut scene["background"]));
         if scene != before {
-            let next = next.as_str().unwrap_or_default().to_owned();
             match edited(scene) {
                 Ok(record) => {
                     self.restore(&record);
                     self.desk.message = None;
-                    self.desk.selected = Some((kind, next));
                 }
                 Err(error) => self.say(error.to_string()),
             }
@@ -98,14 +96,17 @@ fn edited(scene: Value) -> anyhow::Result<SceneRecord> {
     Ok(record)
 }
 
-/// The entities of all kinds, in the order of the file.
-fn entities(world: &World) -> Vec<EntityName> {
+/// The entities of all kinds with their names, in the order of the file.
+fn entities(world: &World) -> Vec<(EntityPlace, String)> {
     let all = [
         ("cuboid", names::<Mesh>(world)),
         ("light", names::<Light>(world)),
         ("camera", names::<Camera>(world)),
     ];
-    let of_kind = |(kind, names): (_, Vec<_>)| names.into_iter().map(move |name| (kind, name));
+    let of_kind = |(kind, names): (_, Vec<_>)| {
+        let named = names.into_iter().enumerate();
+        named.map(move |(place, name)| ((kind, place), name))
+    };
     all.into_iter().flat_map(of_kind).collect()
 }
 
@@ -135,15 +136,15 @@ fn place_light(light: &mut Value) {
     }
 }
 
-fn entity_list(ui: &mut Ui, entities: &[EntityName], selected: &mut EntityName) {
+fn entity_list(ui: &mut Ui, entities: &[(EntityPlace, String)], selected: &mut EntityPlace) {
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
-        for each in &entities[rows] {
-            let row = Button::selectable(selected == each, &each.1).shortcut_text(each.0);
+        for (place, name) in &entities[rows] {
+            let row = Button::selectable(selected == place, name).shortcut_text(place.0);
             let row = row.min_size(vec2(ui.available_width(), 0.0));
             if ui.add(row).clicked() {
-                each.clone_into(selected);
+                *selected = *place;
             }
         }
     });

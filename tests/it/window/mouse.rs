@@ -56,21 +56,21 @@ fn a_click_selects_in_the_scenes_tab() {
     window.press(Key::E);
     window.step(Vec::new());
     window.click(place_of(&window, "near"));
-    let selected = |window: &Window| window.app.desk.selected.clone();
-    assert_eq!(selected(&window), Some(("light", "near".to_owned())));
+    let selected = |window: &Window| window.app.desk.selected;
+    assert_eq!(selected(&window), Some(("light", 4)));
     window.click(window.app.place.center());
-    assert_eq!(selected(&window), Some(("cuboid", "emerald".to_owned())));
+    assert_eq!(selected(&window), Some(("cuboid", 0)));
     assert_eq!(window.app.viewer().inspector, Some(Tab::Scene));
     // A pixel of the same row, which is probed already.
     window.click(place_of(&window, "near"));
     window.click(window.app.place.center() + vec2(8.0, 0.0));
     window.step(Vec::new());
-    assert_eq!(selected(&window), Some(("cuboid", "emerald".to_owned())));
+    assert_eq!(selected(&window), Some(("cuboid", 0)));
     // The pixel is probed again after a change; what is selected stays.
     window.click(place_of(&window, "near"));
     window.press(Key::G);
     window.step(Vec::new());
-    assert_eq!(selected(&window), Some(("light", "near".to_owned())));
+    assert_eq!(selected(&window), Some(("light", 4)));
 }
 
 #[test]
