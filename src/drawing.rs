@@ -7,7 +7,7 @@ use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 
-use crate::components::{Name, ShadingMode, View, active_camera, common_mode, get, viewer};
+use crate::components::{Name, ShadingMode, View, active_camera, common_mode, get};
 use crate::frame::Workers;
 use crate::scene::Scene;
 
@@ -30,11 +30,6 @@ impl Drawing {
     /// The view of a frame.
     pub fn view(&self) -> View {
         View::of(&self.scene.world, self.size)
-    }
-
-    /// The longest time of a frame, in milliseconds, where the method is chosen for that.
-    pub fn budget(&self) -> Option<f64> {
-        viewer(&self.scene.world).budget
     }
 
     /// The shading mode of all cuboids, or `scene` if they differ.

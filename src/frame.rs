@@ -142,11 +142,6 @@ impl Frame {
         self.buffers.size
     }
 
-    /// The rows of the picture in the buffers: all of them, unless only a part was drawn.
-    pub fn rows(&self) -> Range<usize> {
-        self.buffers.rows.clone()
-    }
-
     /// Displayed pixels, 0x00RRGGBB, row by row from the top; empty unless [`Keep::Display`].
     pub fn pixels(&self) -> &[u32] {
         self.buffers.pixels.as_slice()
@@ -243,25 +238,23 @@ impl Frame {
             buffers.drawn.fill(Drawn::anything(buffers.size[0]));
         }
         list.cut(&buffers.rows, self.workers.pool.is_some());
-        let band = Band {
+        let mut band = Band {
             width: buffers.size[0],
             rows: buffers.rows.clone(),
             background,
             pixels: buffers.pixels.as_mut_slice(),
             levels: buffers.levels.as_mut_slice(),
-            triangles: if deep || self.keep == Keep::Levels {
-                buffers.triangles.as_mut_slice()
-            } else {
-                &mut []
-            },
+            triangles: buffers.triangles.as_mut_slice(),
             kinds: buffers.kinds.as_mut_slice(),
-            depths: if deep {
-                buffers.depths.as_mut_slice()
-            } else {
-                &mut []
-            },
+            depths: buffers.depths.as_mut_slice(),
             drawn: &mut buffers.drawn,
         };
+        if !deep {
+            band.depths = &mut [];
+        }
+        if !deep && self.keep == Keep::Display {
+            band.triangles = &mut [];
+        }
         let list = &self.list;
         let rest = Mutex::new((band, list.cuts.iter()));
         let next = || {

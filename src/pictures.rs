@@ -9,6 +9,7 @@ pub use figures::figures;
 
 use std::time::{Duration, Instant};
 
+use crate::components::viewer;
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory;
@@ -24,7 +25,7 @@ use crate::{reference, simd, systems};
 /// If the picture does not fit in memory or cannot be written.
 pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut view = drawing.view();
-    if let Some(budget) = drawing.budget()
+    if let Some(budget) = viewer(&drawing.scene.world).budget
         && let Some((method, text)) = budget::choose(drawing, budget)?
     {
         view = method.view(&view);

@@ -55,6 +55,8 @@ pub use self::surface::Surface;
 
 use std::ops::AddAssign;
 
+use serde::Serialize;
+
 /// Unit round-off of f32: half the distance from 1 to the next float.
 pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 
@@ -99,9 +101,10 @@ impl TileKind {
 }
 
 /// Counts of the work for one frame. They are the same on every machine and for any number of threads.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// Pixels covered by a triangle.
+    #[serde(skip)]
     pub covered_pixels: u64,
     /// Evaluations of the illumination model, at vertices or pixels.
     pub model_evaluations: u64,
@@ -109,6 +112,7 @@ pub struct Counts {
     pub specular_evaluations: u64,
     /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
     /// a pixel of it is seen, since the strips of a frame may belong to different threads.
+    #[serde(skip)]
     pub tiles: [u64; TileKind::ALL.len()],
 }
 

@@ -7,31 +7,27 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
-struct Table<T>(T);
+#[derive(Deserialize)]
+#[serde(bound = "T: Deserialize<'de>")]
+struct Table<T>(#[serde(deserialize_with = "one")] T);
 
 struct TableVisitor<T>(PhantomData<T>);
 
 impl<'de, T: Deserialize<'de>> Visitor<'de> for TableVisitor<T> {
-    type Value = Table<T>;
+    type Value = T;
 
     fn expecting(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         formatter.write_str("a table")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Table<T>, A::Error> {
-        T::deserialize(MapAccessDeserializer::new(table)).map(Table)
-    }
-}
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Table<T> {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_map(TableVisitor(PhantomData))
+    fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<T, A::Error> {
+        T::deserialize(MapAccessDeserializer::new(table))
     }
 }
 
 /// Reads a table.
 pub fn one<'de, T: Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
-    Table::deserialize(from).map(|table| table.0)
+    from.deserialize_map(TableVisitor(PhantomData))
 }
 
 /// Reads any number of tables.

@@ -8,7 +8,7 @@ use super::surface::ShadingMode;
 use super::viewer::{active_camera, background, viewer};
 
 /// The settings of one frame.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct View {
     /// Width and height of the picture in pixels, each at least 1.
     pub size: [usize; 2],
@@ -50,26 +50,20 @@ impl View {
     }
 
     /// The view with one mode for all cuboids.
-    pub fn shaded(&self, mode: ShadingMode) -> View {
-        View {
-            shading: Some(mode),
-            ..self.clone()
-        }
+    pub fn shaded(mut self, mode: ShadingMode) -> View {
+        self.shading = Some(mode);
+        self
     }
 
     /// The view in which each cuboid has its own mode.
-    pub fn unshaded(&self) -> View {
-        View {
-            shading: None,
-            ..self.clone()
-        }
+    pub fn unshaded(mut self) -> View {
+        self.shading = None;
+        self
     }
 
     /// The view with another tolerance, in levels.
-    pub fn with_tolerance(&self, levels: f64) -> View {
-        View {
-            tolerance: levels,
-            ..self.clone()
-        }
+    pub fn with_tolerance(mut self, levels: f64) -> View {
+        self.tolerance = levels;
+        self
     }
 }

@@ -38,10 +38,7 @@ impl<R: Real> CuboidGeometry<R> {
         }
         let (across, outwards) = across(face);
         let descent = descent(face, line);
-        let steps = self.step.map(|step| step.0[across]);
-        let near = RealVector([steps[0], steps[1], R::of(0.0)])
-            .length_squared()
-            .sqrt();
+        let near = edge::hypot(self.step.map(|step| step.0[across]));
         let end = |axis: usize| {
             let ahead = line.along.0[axis];
             let end = self.end(

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use super::real::{Real, RealVector};
+use super::real::Real;
 
 /// A pixel centre within this distance of an edge, in pixels, may show either side: snapping moves corners by up to
 /// 0.003 pixel.
@@ -28,9 +28,7 @@ impl<R: Real> EdgeFunction<R> {
             at_centre,
             right,
             down,
-            gradient: RealVector([right, down, R::of(0.0)])
-                .length_squared()
-                .sqrt(),
+            gradient: hypot([right, down]),
         }
     }
 
@@ -49,6 +47,11 @@ impl<R: Real> EdgeFunction<R> {
             order => Some(order == Ordering::Greater),
         }
     }
+}
+
+/// The length of a vector in a plane.
+pub fn hypot<R: Real>([x, y]: [R; 2]) -> R {
+    (x.square() + y.square()).sqrt()
 }
 
 /// Whether a pixel centre is on the positive side of all edges; an interval is undecided within [`EDGE`] pixels of one.

@@ -170,10 +170,7 @@ impl Real for Interval {
 impl Neg for Interval {
     type Output = Self;
     fn neg(self) -> Self {
-        Interval {
-            least: -self.largest,
-            largest: -self.least,
-        }
+        Interval::new(-self.largest, -self.least)
     }
 }
 

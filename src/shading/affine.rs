@@ -31,11 +31,14 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Affine<T> {
     /// Applies a linear map.
     #[must_use]
     pub fn map<U>(&self, map: impl Fn(T) -> U) -> Affine<U> {
-        Affine {
-            centre: map(self.centre),
-            dx: map(self.dx),
-            dy: map(self.dy),
-        }
+        Affine::new(map(self.centre), map(self.dx), map(self.dy))
+    }
+}
+
+impl<T> Affine<T> {
+    /// The function with these coefficients.
+    pub fn new(centre: T, dx: T, dy: T) -> Self {
+        Affine { centre, dx, dy }
     }
 }
 

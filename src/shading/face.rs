@@ -35,10 +35,7 @@ impl Rays {
         let [right, up, forward] = lens.axes;
         let [dx, dy] = [right * lens.pitch, up * -lens.pitch];
         let moving = |centre| Affine { centre, dx, dy };
-        let still = |centre| Affine {
-            centre,
-            ..Affine::default()
-        };
+        let still = |centre| Affine::new(centre, DVec3::ZERO, DVec3::ZERO);
         let (start, direction) = match lens.projection {
             Projection::Perspective => (still(DVec3::ZERO), moving(forward)),
             Projection::Orthographic => (moving(DVec3::ZERO), still(forward)),
@@ -165,11 +162,7 @@ impl<'a> Face<'a> {
             let [from, middle, to] = signs.map(|signs| signs[axis]);
             (b - a) / 2.0 * ((middle - from) / 2.0) + (c - b) / 2.0 * ((to - middle) / 2.0)
         };
-        Affine {
-            centre: (a + c) / 2.0,
-            dx: half(0),
-            dy: half(1),
-        }
+        Affine::new((a + c) / 2.0, half(0), half(1))
     }
 
     /// The value at a place of what has these values at the cuboid's eight corners and is linear on each triangle of the face.

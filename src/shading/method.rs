@@ -25,10 +25,7 @@ impl Method {
 
     /// `view` as this method draws it.
     pub fn view(&self, view: &View) -> View {
-        View {
-            tolerance: self.tolerance,
-            ..view.shaded(self.mode)
-        }
+        view.shaded(self.mode).with_tolerance(self.tolerance)
     }
 }
 

@@ -16,7 +16,16 @@ pub struct Surface<'a> {
     pub centre: DVec3,
 }
 
-impl Surface<'_> {
+impl<'a> Surface<'a> {
+    /// An object of this material, with its centre here.
+    pub fn new(material: &'a Material, illumination: &'a Illumination, centre: DVec3) -> Self {
+        Surface {
+            material,
+            illumination,
+            centre,
+        }
+    }
+
     /// The ambient term, in levels.
     pub fn ambient(&self) -> DVec3 {
         self.material.ambient * self.illumination.ambient

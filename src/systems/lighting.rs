@@ -32,11 +32,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         if view.mode(*own) != ShadingMode::Gouraud {
             continue;
         }
-        let surface = Surface {
-            material,
-            illumination: &frame.list.illumination,
-            centre: place.position,
-        };
+        let surface = Surface::new(material, &frame.list.illumination, place.position);
         colors.0 = vertex_colors(&surface, place, mesh, normals, &frame.lens);
         frame.count_vertices(surface.powers());
     }

@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use serde::{Serialize, Serializer};
-use serde_json::json;
+use serde::Serialize;
 
 use super::machine::Machine;
 use super::metrics::ErrorStatistics;
@@ -54,7 +53,6 @@ pub struct Measurement {
     /// Nanoseconds of a frame for each covered pixel; `None` if there is none.
     pub ns_per_covered_pixel: Option<f64>,
     /// The work for a frame; the same on every machine.
-    #[serde(serialize_with = "evaluations")]
     pub counts: Counts,
     /// The error against exact Phong; `None` if no pixel can be compared.
     pub error: Option<ErrorStatistics>,
@@ -81,12 +79,4 @@ impl Measurement {
     pub fn worst_pixel(&self) -> Option<[usize; 2]> {
         self.error.map(|it| it.max_pixel)
     }
-}
-
-fn evaluations<S: Serializer>(counts: &Counts, to: S) -> Result<S::Ok, S::Error> {
-    json!({
-        "model_evaluations": counts.model_evaluations,
-        "specular_evaluations": counts.specular_evaluations,
-    })
-    .serialize(to)
 }

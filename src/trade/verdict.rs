@@ -65,20 +65,15 @@ fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String
     })
 }
 
-/// Whether a frame of `one` takes measurably less time.
-fn is_faster(one: &Measurement, other: &Measurement) -> bool {
-    one.timing.is_measurably_less_than(&other.timing)
-}
-
 /// "2.3 times faster than", "about as fast as", "perhaps 1.4 times faster than".
 fn pace(one: &Measurement, other: &Measurement) -> String {
-    let [mine, its] = [one, other].map(|it| it.timing.median);
-    let (ratio, word) = if mine < its {
-        (its / mine, "faster")
+    let (one, other) = (&one.timing, &other.timing);
+    let (ratio, word) = if one.median < other.median {
+        (other.median / one.median, "faster")
     } else {
-        (mine / its, "slower")
+        (one.median / other.median, "slower")
     };
-    let is_sure = is_faster(one, other) || is_faster(other, one);
+    let is_sure = one.is_measurably_less_than(other) || other.is_measurably_less_than(one);
     match is_sure {
         true if ratio.is_finite() => format!("{} times {word} than", two_digits(ratio)),
         // The smaller time is too short for the clock.

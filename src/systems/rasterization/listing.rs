@@ -104,11 +104,7 @@ impl DrawList {
     fn gloss(&mut self, material: &Material, centre: DVec3) -> usize {
         let last = self.glosses.last();
         if last.is_none_or(|gloss| gloss.material != *material) {
-            let surface = Surface {
-                material,
-                illumination: &self.illumination,
-                centre,
-            };
+            let surface = Surface::new(material, &self.illumination, centre);
             self.glosses.push(Gloss::new(&surface, self.tolerance));
         }
         self.glosses.len() - 1

@@ -80,11 +80,7 @@ impl DrawList {
         lights: &'a mut Vec<FaceLight>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Shader<'a> {
-        let surface = Surface {
-            material: &object.material,
-            illumination: &self.illumination,
-            centre: object.place.position,
-        };
+        let surface = Surface::new(&object.material, &self.illumination, object.place.position);
         let (corners, tolerance) = (&object.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {
