@@ -106,7 +106,7 @@ impl Pictures {
 /// The view of one side of a wipe; `None` for the reference.
 pub fn side_view(side: &Side, view: &View) -> Option<View> {
     match *side {
-        Side::Picture => Some(view.clone()),
+        Side::Picture => Some(*view),
         Side::Method { mode, tolerance } => Some(view.shaded(mode).with_tolerance(tolerance)),
         Side::Reference => None,
     }
@@ -115,7 +115,7 @@ pub fn side_view(side: &Side, view: &View) -> Option<View> {
 /// The view of the picture that is shown in a column; the reference's is exact Phong.
 pub fn view_at(viewer: &Viewer, view: &View, column: usize) -> View {
     if viewer.show != ViewMode::Wipe {
-        return view.clone();
+        return *view;
     }
     let is_right = column >= divider_column(viewer.divider, view.size[0]);
     let side = viewer.sides[usize::from(is_right)];

@@ -141,7 +141,7 @@ fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
                 transform.position = DVec3::new(-0.3, -0.2, 0.0);
             }
             for tolerance in [0.0, 4.0] {
-                let shares = shares(&mut world, &view.clone().with_tolerance(tolerance));
+                let shares = shares(&mut world, &view.with_tolerance(tolerance));
                 assert_eq!(shares.len(), 1024);
                 let is_exact = |(kind, _): &(TileKind, f64)| *kind == TileKind::Exact;
                 assert!(shares.iter().all(is_exact) || pitch > 1e-10);
@@ -202,7 +202,7 @@ fn where_the_reflected_light_is_perpendicular_to_the_eye_a_steep_power_keeps_the
             let size = DVec3::splat(2.0);
             let (mut world, view) = face(size, forward, pitch, shininess, light);
             for tolerance in [0.0, 0.5, 4.0] {
-                shares(&mut world, &view.clone().with_tolerance(tolerance));
+                shares(&mut world, &view.with_tolerance(tolerance));
             }
         }
     }

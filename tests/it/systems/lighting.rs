@@ -32,7 +32,7 @@ fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
     for (position, light) in lights {
         world.spawn((at(centre + *position), *light));
     }
-    let mut view = view.clone();
+    let mut view = *view;
     view.camera.position += centre;
     view.camera.target += centre;
     let frame = run(&mut world, &view);
