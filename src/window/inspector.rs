@@ -12,6 +12,9 @@ use super::widgets::{ink, short};
 use crate::components::Tab;
 use crate::requires::PartChange;
 
+/// The width of a table's columns before the last, in points.
+const NUMBERS: f32 = 80.0;
+
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
 const TABS: [(Tab, &str, &str); 4] = [
@@ -29,6 +32,8 @@ impl App {
         ui.add_space(4.0);
         let mut is_folded = false;
         ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 1.0;
+            ui.spacing_mut().button_padding.x = 3.0;
             for (each, name, says) in TABS {
                 let choice = ui.selectable_value(&mut tab, each, name);
                 choice.on_hover_text(says);
@@ -61,31 +66,30 @@ impl App {
         self.wait(ui, &facts.required);
         let part = |part: &PartChange| {
             let is_kept = part.change.keeps(tolerance);
-            let verdict = if is_kept { "not required" } else { "required" };
+            let verdict = if is_kept { "no" } else { "yes" };
             let most = short(part.change.most());
-            vec![verdict.to_owned(), most, part.name.clone()]
+            vec![most, verdict.to_owned(), part.name.clone()]
         };
         let parts = facts.required.value.iter().flatten().map(part);
         Self::table(ui, "required", &facts.required, parts);
     }
 
-    /// Lays out a table about a fact.
+    /// Lays out a table about a fact. The words in its last column wrap.
     fn table<T>(
         ui: &mut Ui,
         name: &str,
         fact: &Latest<T>,
         rows: impl Iterator<Item = Vec<String>>,
     ) {
-        // A wide table must not widen the sentences around it.
-        ScrollArea::horizontal().id_salt(name).show(ui, |ui| {
-            Grid::new(name).striped(true).show(ui, |ui| {
-                for row in rows {
-                    for cell in row {
-                        ui.colored_label(ink(fact), cell);
-                    }
-                    ui.end_row();
+        let words = (ui.available_width() - NUMBERS).max(NUMBERS);
+        let table = Grid::new(name).striped(true).min_col_width(0.0);
+        table.max_col_width(words).show(ui, |ui| {
+            for row in rows {
+                for cell in row {
+                    ui.colored_label(ink(fact), cell);
                 }
-            });
+                ui.end_row();
+            }
         });
     }
 

@@ -1,6 +1,6 @@
 //! The frame of the window: the panel on the left, the inspector on the right, the status line below, the picture between.
 //!
-//! The sides leave half of the width to the picture. In a narrow window the inspector takes the panel's place.
+//! The sides leave at least half of the width to the picture. In a narrow window the inspector takes the panel's place.
 
 use egui::{
     Color32, Grid, Id, Label, Modal, Panel, Popup, RichText, ScrollArea, TextWrapMode, Ui, Vec2,
@@ -17,8 +17,10 @@ use crate::shading::Method;
 use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
-const LEAST: f32 = 215.0;
+const LEAST: f32 = 213.0;
 const USUAL: f32 = 300.0;
+/// The part of the width that each of two sides takes at most is one in this many: 960x720 shows the whole default scene.
+const SHARED: f32 = 4.5;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
@@ -32,13 +34,13 @@ impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
     pub fn ui(&mut self, ui: &mut Ui) {
         let width = ui.available_width();
-        self.desk.has_both = width >= 4.0 * LEAST;
+        self.desk.has_both = width >= SHARED * LEAST;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
         let has_inspector = self.viewer().inspector.is_some();
         let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
         let is_shared = has_panel && has_inspector;
-        let most = width / if is_shared { 4.0 } else { 2.0 };
+        let most = width / if is_shared { SHARED } else { 2.0 };
         // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
         let id = |name: &str| Id::new((name, most.min(USUAL) as u32));
         let side = |panel: Panel| panel.default_size(USUAL).size_range(LEAST.min(most)..=most);

@@ -89,7 +89,7 @@ fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
         }
         ui.label("");
         for levels in [Some(drawn), exact].into_iter().flatten() {
-            show_color(ui, color(display_pixel(levels)), vec2(52.0, 20.0));
+            show_color(ui, color(display_pixel(levels)), vec2(44.0, 20.0));
         }
         ui.end_row();
     });

@@ -22,6 +22,8 @@ const CHOICES: [(&str, &[&str]); 2] = [
     ("shading", &["gouraud", "phong"]),
     ("kind", &["ambient", "diffuse", "specular"]),
 ];
+/// In a narrower tab the letters are small, in points.
+const NARROW: f32 = 240.0;
 /// The ranges are checked when the edited record is read.
 const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
@@ -31,6 +33,10 @@ impl App {
         let spacing = ui.spacing_mut();
         spacing.interact_size.x = 16.0;
         (spacing.item_spacing.x, spacing.button_padding.x) = (3.0, 1.0);
+        if ui.available_width() < NARROW {
+            ui.style_mut().override_text_style = Some(TextStyle::Small);
+            ui.style_mut().drag_value_text_style = TextStyle::Small;
+        }
         let before = json!(SceneRecord::of(&self.scene.world));
         let mut scene = before.clone();
         let entities = entities(&self.scene.world);
