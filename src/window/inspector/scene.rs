@@ -46,10 +46,10 @@ impl App {
         let mut places = entities.iter().map(|it| it.0);
         let mut selected = places.rfind(is_there).unwrap_or(entities[0].0);
         let of_kind = entities.iter().filter(|it| it.0.0 == selected.0);
-        let can_delete = selected.0 == "light" || of_kind.count() > 1;
+        let can_delete = of_kind.count() > 1;
         let buttons = ui.horizontal(|ui| {
             let delete = ui.add_enabled(can_delete, Button::new("delete").small());
-            let delete = delete.on_disabled_hover_text("A scene has at least one.");
+            let delete = delete.on_disabled_hover_text("The last one is the pattern of copies.");
             [ui.small_button("copy"), delete].map(|button| button.clicked())
         });
         let [copies, deletes] = buttons.inner;
