@@ -160,8 +160,8 @@ impl Command {
     /// If the threads cannot be started.
     pub fn start_threads(&self) -> anyhow::Result<()> {
         let threads = match self {
-            Command::Render(options) if options.reference => options.drawing.workers.threads(),
-            Command::Probe(options) => options.drawing.workers.threads(),
+            // A budget is measured against the reference, and scenes can hold one.
+            Command::Render(options) => options.drawing.workers.threads(),
             Command::Prove(options) => options.drawing.workers.threads(),
             Command::Requires(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),

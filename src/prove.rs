@@ -14,15 +14,17 @@
 pub mod command;
 mod png;
 
+use std::cmp::Ordering::Equal;
+
 use fearless_simd::Level;
 use hecs::World;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::View;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, face};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory;
-use crate::reference::{Interval, Reference, Seen};
+use crate::reference::{Interval, Real, Reference, Seen};
 use crate::report::Monitor;
 use crate::shading::limit;
 use crate::systems;
@@ -60,6 +62,24 @@ impl Verdict {
         } else {
             Verdict::Undecided
         }
+    }
+
+    /// Whether bytes are the display steps of levels within `limit` of an enclosure: of all its values, or of some.
+    fn of_bytes(bytes: [u8; 3], seen: &Seen<Interval>, limit: f64) -> Self {
+        let limit = Interval::of(limit);
+        let verdict = |(byte, ends): (u8, [f64; 2])| {
+            let [least, largest] = ends.map(Interval::of);
+            let byte_of = |level: Interval, end: usize| display_step(level.endpoints()[end]);
+            let of_all = byte_of(largest - limit, 1)..=byte_of(least + limit, 0);
+            let of_some = byte_of(least - limit, 0)..=byte_of(largest + limit, 1);
+            match (of_all.contains(&byte), of_some.contains(&byte)) {
+                (true, _) => Verdict::Proven,
+                (false, true) => Verdict::Undecided,
+                (false, false) => Verdict::Refuted,
+            }
+        };
+        let channels = bytes.into_iter().zip(ends(seen.levels));
+        channels.map(verdict).fold(Verdict::Proven, Verdict::max)
     }
 }
 
@@ -114,13 +134,15 @@ pub struct Proof {
 }
 
 /// A pixel as a renderer draws it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Shown {
     /// Cuboid * 6 + face; `None` is the background.
     pub face: Option<usize>,
     pub levels: [f64; 3],
     /// The bytes for a window; `None` if there are none to judge.
     pub bytes: Option<[u8; 3]>,
+    /// How far the levels may have been rounded: 0.5 if they are bytes.
+    pub rounding: f64,
 }
 
 impl Shown {
@@ -132,23 +154,27 @@ impl Shown {
             face,
             levels,
             bytes: Some(bytes),
+            rounding: 0.0,
         }
     }
 
     /// A pixel of a picture without faces, 0x00RRGGBB. Its face is the one that fits its bytes best.
     fn of_bytes(pixel: u32, seen: &[Seen<Interval>], limit: f64) -> Self {
-        let [_, levels @ ..] = pixel.to_be_bytes().map(f64::from);
+        let [_, bytes @ ..] = pixel.to_be_bytes();
+        let of_face = |face| Shown {
+            face,
+            levels: bytes.map(f64::from),
+            bytes: Some(bytes),
+            rounding: 0.5,
+        };
+        let judged = |face: &Option<usize>| {
+            let (mark, [_, most]) = judge(of_face(*face), seen, limit);
+            (mark.verdict, most)
+        };
         let faces = seen.iter().map(Seen::face);
-        let judged = faces.filter_map(|face| {
-            let error = nearest(face, levels, seen)?;
-            Some((Verdict::of(error, limit), error[1], face))
-        });
-        let best = judged.min_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
-        Shown {
-            face: best.and_then(|(.., face)| face),
-            levels,
-            bytes: None,
-        }
+        let best =
+            faces.min_by(|one, other| judged(one).partial_cmp(&judged(other)).unwrap_or(Equal));
+        of_face(best.flatten())
     }
 }
 
@@ -174,10 +200,11 @@ pub fn nearest(
 /// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error.
 pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
     let levels = nearest(shown.face, shown.levels, seen);
-    let bytes = shown.bytes.map(|bytes| bytes.map(f64::from));
-    let bytes = bytes.and_then(|bytes| nearest(shown.face, bytes, seen));
-    let of_levels = levels.map_or(Verdict::Refuted, |error| Verdict::of(error, limit));
-    let of_bytes = bytes.map_or(of_levels, |error| Verdict::of(error, limit + 0.5));
+    let of_levels = |error| Verdict::of(error, limit + shown.rounding);
+    let of_levels = levels.map_or(Verdict::Refuted, of_levels);
+    let same = seen.iter().filter(|seen| seen.face() == shown.face);
+    let of_bytes = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
+    let of_bytes = shown.bytes.and_then(of_bytes).unwrap_or(of_levels);
     let mark = Mark {
         verdict: of_levels.max(of_bytes),
         is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
@@ -270,7 +297,7 @@ pub fn prove_at<const COUNT: usize>(
         pixels: width * height,
         ..Proof::default()
     });
-    let limits = proofs.each_ref().map(|proof| proof.limit);
+    let limits = tolerances.map(limit);
     for proof in &mut proofs {
         proof.marks = memory::reserve_pixels(view.size)?;
     }

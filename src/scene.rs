@@ -147,7 +147,10 @@ impl Scene {
         let chosen = match chosen {
             "all" => lights.clone(),
             "none" => Vec::new(),
-            chosen => chosen.split(',').map(str::to_owned).collect(),
+            chosen => chosen
+                .split(',')
+                .map(|name| name.trim().to_owned())
+                .collect(),
         };
         if let Some(name) = chosen.iter().find(|name| !lights.contains(name)) {
             return Err(unknown("light", name, &lights));

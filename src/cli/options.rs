@@ -175,14 +175,15 @@ pub fn number(
     is_legal: impl Fn(f64) -> bool,
     message: &'static str,
 ) -> Result<f64, &'static str> {
-    let number = text.parse().ok();
+    // -0 is 0.
+    let number = text.parse().ok().map(|number: f64| number + 0.0);
     number.filter(|it| is_legal(*it)).ok_or(message)
 }
 
 /// Two whole numbers with a separator between.
 pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
     let (one, other) = text.split_once(separator)?;
-    Some([one.parse().ok()?, other.parse().ok()?])
+    Some([one.trim().parse().ok()?, other.trim().parse().ok()?])
 }
 
 fn tolerance(text: &str) -> Result<f64, &'static str> {

@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 
 /// The position and the rotation of an entity.
 ///
-/// Lights and cameras use only the position; an ambient light uses neither.
+/// A light uses only the position.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Transform {
     /// The centre, in world units.

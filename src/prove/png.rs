@@ -36,6 +36,8 @@ pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
         color.bytes_per_pixel() == color.channel_count(),
         "{name} has 16 bits a channel; 8 are judged"
     );
+    // The file's pixels, those with four channels and the result take four bytes each.
+    memory::check(size, 12 * size[0] * size[1])?;
     let mut pixels = memory::reserve_pixels(size)?;
     let picture = DynamicImage::from_decoder(decoder);
     let picture = picture.with_context(|| format!("{name} is damaged"))?;

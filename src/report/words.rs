@@ -8,9 +8,9 @@ pub fn short(value: impl Into<Option<f64>>) -> String {
         None => "-".to_owned(),
         Some(0.0) => "0".to_owned(),
         Some(value) if value < 0.001 => "<0.001".to_owned(),
-        Some(value) if value < 1.0 => format!("{value:.3}"),
-        Some(value) if value < 10.0 => format!("{value:.2}"),
-        Some(value) if value < 100.0 => format!("{value:.1}"),
+        Some(value) if value < 0.9995 => format!("{value:.3}"),
+        Some(value) if value < 9.995 => format!("{value:.2}"),
+        Some(value) if value < 99.95 => format!("{value:.1}"),
         Some(value) => format!("{value:.0}"),
     }
 }
@@ -35,4 +35,24 @@ pub fn capital(text: &str) -> String {
 /// A number with its noun, in the plural unless the number is 1.
 pub fn counted(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_number_has_three_digits_at_most() {
+        for (value, text) in [
+            (0.0, "0"),
+            (0.0004, "<0.001"),
+            (0.9994, "0.999"),
+            (0.9996, "1.00"),
+            (9.996, "10.0"),
+            (99.96, "100"),
+            (165.4, "165"),
+        ] {
+            assert_eq!(short(value), text);
+        }
+    }
 }

@@ -63,7 +63,13 @@ where
     }
     let looks_left = looks(&left, pixels_per_degree);
     let looks_right = looks(&right, pixels_per_degree);
-    let flip = |pixel: &usize| f64::from(difference(&looks_left[*pixel], &looks_right[*pixel]));
+    // The largest possible colour difference is that between green and blue.
+    let [green, blue] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(hunt_lab);
+    let largest = distance(green, blue).powf(COLOR_EXPONENT);
+    let flip = |pixel: &usize| {
+        let [left, right] = [&looks_left, &looks_right].map(|looks| &looks[*pixel]);
+        f64::from(difference(left, right, largest))
+    };
     Some(pixels.iter().map(flip).sum::<f64>() / pixels.len() as f64)
 }
 
@@ -113,11 +119,8 @@ fn looks<T: Into<f64> + Copy + Sync>(picture: &Picture<T>, pixels_per_degree: f6
     (0..opponent.len()).into_par_iter().map(look).collect()
 }
 
-/// The FLIP of one pixel, 0..=1.
-fn difference(left: &Look, right: &Look) -> f32 {
-    // The largest possible colour difference is that between green and blue.
-    let [green, blue] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(hunt_lab);
-    let largest = distance(green, blue).powf(COLOR_EXPONENT);
+/// The FLIP of one pixel, 0..=1. `largest` is the largest possible colour difference.
+fn difference(left: &Look, right: &Look, largest: f32) -> f32 {
     let color = distance(left.color, right.color).powf(COLOR_EXPONENT);
     let knee = SHARE * largest;
     let color = if color < knee {

@@ -1,11 +1,10 @@
 //! Keys and their actions. An action writes components of the World, or the state of the window alone.
 
 use egui::{Event, Key, Ui};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::app::App;
 use super::keys::{self, Action, EXACT_SIDES, TOLERANCES, gouraud_phong};
-use super::recording::patch;
 use crate::components::{
     Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered,
 };
@@ -199,7 +198,8 @@ impl App {
     fn travel(&mut self, found: Option<SceneRecord>, verb: &str) {
         match found {
             Some(record) => {
-                let text = format!("{verb}: {}", difference(&self.state, &record));
+                let [before, after] = [&*self.state, &record].map(|record| json!(record));
+                let text = format!("{verb}: {}", difference(&before, &after));
                 self.show(&record);
                 self.say(text);
             }
@@ -232,16 +232,15 @@ impl App {
     }
 }
 
-/// The first difference between two states, in words: "light white on".
-fn difference(before: &SceneRecord, after: &SceneRecord) -> String {
-    let patch = patch(before, after).unwrap_or_default();
+/// The key of the first difference between two records as JSON, in words: "light white on".
+pub(super) fn difference(before: &Value, after: &Value) -> String {
+    let patch = json_patch::diff(before, after);
     let path = patch.first().map(|change| change.path().to_string());
     let path = path.unwrap_or_default();
     let keys: Vec<&str> = path.split('/').skip(1).collect();
-    let name = |record: &SceneRecord| {
+    let name = |record: &Value| {
         let [kind, index] = [keys.first()?, keys.get(1)?];
-        let name = json!(record);
-        let name = name.pointer(&format!("/{kind}/{index}/name"))?;
+        let name = record.pointer(&format!("/{kind}/{index}/name"))?;
         name.as_str().map(str::to_owned)
     };
     let name = name(before).or_else(|| name(after));

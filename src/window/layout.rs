@@ -126,7 +126,8 @@ impl App {
             ui.heading("Keys");
             ui.weak("H or Esc closes this. A tooltip says what a thing is.");
             ui.weak("A click explains a pixel. Ctrl + - 0 choose the size of letters.");
-            ui.weak("Divider and discs of lights can be dragged, discs with Shift in depth.");
+            ui.weak("The divider of a wipe can be dragged, and while the scene is edited the");
+            ui.weak("discs of lights, with Shift in depth.");
             let scroll = ScrollArea::both().max_height(room.y);
             scroll.min_scrolled_height(room.y).show(ui, |ui| {
                 let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);

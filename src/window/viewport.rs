@@ -44,14 +44,15 @@ impl App {
                 self.zoom(turned.round() as i32);
             }
         }
-        if self.viewer().inspector == Some(Tab::Scene) {
-            self.discs(ui);
-        }
         if self.viewer().show == ViewMode::Wipe {
             if self.turn().is_none() {
                 self.divider(ui);
             }
             self.tags(ui);
+        }
+        // Lights are often where a tag is, and can be dragged.
+        if self.viewer().inspector == Some(Tab::Scene) {
+            self.discs(ui);
         }
         let pixel = self.viewer().pixel;
         if let Some(pixel) = pixel {

@@ -61,7 +61,7 @@ impl Canvas<'_, '_> {
     /// Lists the pixels of the square at which the piece is visible. Returns the number of strips that these pixels lie in.
     #[inline(always)]
     pub fn list<S: Simd>(&self, simd: S, pixels: &mut Pixels) -> u64 {
-        pixels.clear();
+        pixels.count = 0;
         let [left, top] = self.square.first().map(|first| first as f32);
         let (mut strips, mut last) = (0, None);
         for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
@@ -71,14 +71,14 @@ impl Canvas<'_, '_> {
             let x = left + (span.start - self.square.place[0]) as i32 as f32;
             let y = top + (row - self.square.place[1]) as i32 as f32;
             let indices = self.band.indices(row, &span);
-            let before = pixels.count();
+            let before = pixels.count;
             if self.band.triangles.is_empty() {
                 pixels.extend(simd, [x, y], indices);
             } else {
                 let ids = &self.band.triangles[indices.clone()];
                 pixels.extend_seen([x, y], indices, |pixel| face(ids[pixel]) == face(self.id));
             }
-            if pixels.count() > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
+            if pixels.count > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
                 strips += 1;
             }
         }
@@ -88,7 +88,7 @@ impl Canvas<'_, '_> {
     /// Draws listed pixels.
     #[inline(always)]
     pub fn draw_pixels<S: Simd>(&mut self, simd: S, pixels: &Pixels) {
-        self.counts.covered_pixels += pixels.count() as u64;
+        self.counts.covered_pixels += pixels.count as u64;
         if self.band.pixels.is_empty() {
             for (index, levels) in pixels.levels() {
                 self.band.levels[index] = levels;

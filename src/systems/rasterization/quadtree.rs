@@ -200,7 +200,7 @@ impl Canvas<'_, '_> {
         let drawn = shader.evaluate(simd, &self.square, index, scratch);
         if drawn {
             outlined!(simd, self.draw_pixels(simd, &scratch.pixels));
-            let kind = shader.count(index, scratch.pixels.count(), scratch, self.counts);
+            let kind = shader.count(index, scratch.pixels.count, scratch, self.counts);
             self.finish(kind, tiles, shader.face());
         }
         drawn

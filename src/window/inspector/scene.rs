@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::components::{Camera, Light, Mesh, names};
 use crate::scene::{BUILT_IN, SceneRecord};
+use crate::window::actions::difference;
 use crate::window::app::App;
 use crate::window::desk::EntityPlace;
 use crate::window::widgets::{color_button, number};
@@ -84,20 +85,20 @@ impl App {
         ui.separator();
         Grid::new("scene").show(ui, |ui| row(ui, "background", &mut scene["background"]));
         if scene != before {
-            match edited(scene) {
+            match edited(&scene) {
                 Ok(record) => {
                     self.restore(&record);
                     self.desk.message = None;
                 }
-                Err(error) => self.say(error.to_string()),
+                Err(error) => self.say(format!("{}: {error}", difference(&before, &scene))),
             }
         }
     }
 }
 
 /// The record of an edited scene, if the scene format allows it.
-fn edited(scene: Value) -> anyhow::Result<SceneRecord> {
-    let record: SceneRecord = serde_json::from_value(scene)?;
+fn edited(scene: &Value) -> anyhow::Result<SceneRecord> {
+    let record = SceneRecord::deserialize(scene)?;
     record.check()?;
     Ok(record)
 }

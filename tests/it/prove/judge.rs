@@ -22,7 +22,7 @@ fn shown(face: Option<usize>, level: f64) -> Shown {
     Shown {
         face,
         levels: [level; 3],
-        bytes: None,
+        ..Shown::default()
     }
 }
 
@@ -124,13 +124,16 @@ fn a_pixel_shows_one_of_its_faces_in_the_levels_of_that_face() {
 
 #[test]
 fn bytes_may_err_by_half_a_level_more() {
-    let seen = [seen(Some(0), [100.5, 100.5])];
-    for (byte, expected) in [(99, Refuted), (100, Proven), (101, Proven), (102, Refuted)] {
-        let shown = Shown {
-            bytes: Some([byte; 3]),
-            ..shown(Some(0), 100.5)
-        };
-        assert_eq!(verdict(shown, &seen, 0.25), expected, "{byte}");
+    // 99.5 is displayed as 100.
+    for (exact, limit) in [(100.5, 0.25), (100.0, 0.5)] {
+        let seen = [seen(Some(0), [exact; 2])];
+        for (byte, expected) in [(99, Refuted), (100, Proven), (101, Proven), (102, Refuted)] {
+            let shown = Shown {
+                bytes: Some([byte; 3]),
+                ..shown(Some(0), exact)
+            };
+            assert_eq!(verdict(shown, &seen, limit), expected, "{byte}");
+        }
     }
 }
 

@@ -34,7 +34,7 @@ fn a_sum_that_drops_twenty_thousand_faint_lights_is_refuted() {
         let shown = Shown {
             face: seen[0].face(),
             levels: [level; 3],
-            bytes: None,
+            ..Shown::default()
         };
         judge(shown, seen, 0.05)
     };

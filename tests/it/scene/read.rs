@@ -177,7 +177,7 @@ fn lights_are_switched_by_name_all_or_none() {
     };
     for (choice, expected) in [
         ("none", [false; 4]),
-        ("ambient,red", [false, true, false, true]),
+        ("ambient, red", [false, true, false, true]),
         ("all", [true; 4]),
         ("white,white", [true, false, false, false]),
     ] {

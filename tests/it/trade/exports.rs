@@ -52,7 +52,7 @@ fn the_table_and_the_markdown_have_the_figures_of_every_method() {
             wide,
             [
                 "phong-unit-vectors <0.001 <0.001 <0.001 0 % yes",
-                "phong-unit-vectors 100.0 99.5 to 301 10.2 100 % yes",
+                "phong-unit-vectors 100 99.5 to 301 10.2 100 % yes",
                 "phong-unit-vectors 12346 12284 to 37222 252 100 % yes",
             ],
         ),
