@@ -7,9 +7,9 @@
 //!       --reference over f64--> the reference's own error
 //! ```
 //! A pixel is proven if it shows a face that it may show, and every value of that face's interval is within the limit of
-//! the drawn levels; bytes have half a level more, for their rounding. It is refuted if it shows another face, or no value
-//! is within the limit. Else it is undecided. A PNG does not say which face a pixel shows: each one that the pixel may
-//! show is tried. Differences are rounded outwards.
+//! the drawn levels. It is refuted if it shows another face, or no value is within the limit. Else it is undecided. Each
+//! byte must be the display step of a level within the limit. A PNG does not say which face a pixel shows: each one that
+//! the pixel may show is tried. Differences are rounded outwards.
 
 pub mod command;
 mod png;
