@@ -124,13 +124,17 @@ fn a_pixel_shows_one_of_its_faces_in_the_levels_of_that_face() {
 
 #[test]
 fn bytes_may_err_by_half_a_level_more() {
-    // 99.5 is displayed as 100.
-    for (exact, limit) in [(100.5, 0.25), (100.0, 0.5)] {
-        let seen = [seen(Some(0), [exact; 2])];
-        for (byte, expected) in [(99, Refuted), (100, Proven), (101, Proven), (102, Refuted)] {
+    for (ends, limit, others) in [
+        ([100.5, 100.5], 0.25, Refuted),
+        // 99.5 is displayed as 100.
+        ([100.0, 100.0], 0.5, Refuted),
+        ([100.0, 101.0], 1.0, Undecided),
+    ] {
+        let seen = [seen(Some(0), ends)];
+        for (byte, expected) in [(99, others), (100, Proven), (101, Proven), (102, others)] {
             let shown = Shown {
                 bytes: Some([byte; 3]),
-                ..shown(Some(0), exact)
+                ..shown(Some(0), ends[0])
             };
             assert_eq!(verdict(shown, &seen, limit), expected, "{byte}");
         }
