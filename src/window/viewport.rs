@@ -50,7 +50,7 @@ impl App {
             }
             self.tags(ui);
         }
-        // Lights are often where a tag is, and can be dragged.
+        // A disc over a tag can be dragged.
         if self.viewer().inspector == Some(Tab::Scene) {
             self.discs(ui);
         }
