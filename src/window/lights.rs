@@ -23,8 +23,6 @@ const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 /// The disc of a light. That of a light out of sight is at the border of the picture.
 pub struct Disc {
     pub name: String,
-    /// Its place among all lights in the file.
-    place: usize,
     /// Its middle in the window.
     pub at: Pos2,
     color: Color32,
@@ -62,7 +60,7 @@ impl App {
                 self.drag_light(&light.name, by, in_depth);
             }
             if disc.clicked() || disc.drag_started() {
-                self.desk.selected = Some(("light", light.place));
+                self.select::<Light>("light", &light.name);
             }
             light.draw(ui.painter(), self.place);
         }
@@ -75,16 +73,13 @@ impl App {
         let lights = in_file_order::<Parts, _>(&self.scene.world, |(name, transform, light)| {
             (light.kind != LightKind::Ambient).then(|| Disc {
                 name: name.0.clone(),
-                place: 0,
                 at: self.place_of_light(transform.position, &lens),
                 color: brightest(light.color),
                 is_on: light.on,
             })
         });
         let mut discs: Vec<Disc> = Vec::new();
-        let lights = (0..).zip(lights);
-        let lights = lights.filter_map(|(place, disc)| Some(Disc { place, ..disc? }));
-        for mut disc in lights.take(MOST) {
+        for mut disc in lights.into_iter().flatten().take(MOST) {
             let covers = |at: Pos2| move |other: &Disc| other.at.distance(at) < RADIUS;
             while discs.iter().any(covers(disc.at)) {
                 disc.at.y += 2.0 * RADIUS + 4.0;

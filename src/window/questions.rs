@@ -10,7 +10,7 @@ use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Facts, Latest, Question, Work};
 use super::pictures::view_at;
-use crate::components::{Mesh, ShadingMode, Side, Tab, View, ViewMode, Viewer, common_mode, names};
+use crate::components::{Mesh, ShadingMode, Side, Tab, View, ViewMode, Viewer, common_mode};
 use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
@@ -151,11 +151,9 @@ impl App {
         // A pixel in the row of the one before needs no new answer.
         if self.facts.section.is_current && self.desk.clicked.take().is_some() {
             let surface = self.probed().and_then(|probe| probe.surface.as_ref());
-            let object = surface.map(|surface| &surface.object);
-            let cuboids = names::<Mesh>(&self.scene.world);
-            let place = cuboids.iter().position(|name| Some(name) == object);
-            let selected = self.desk.selected;
-            self.desk.selected = place.map(|place| ("cuboid", place)).or(selected);
+            if let Some(object) = surface.map(|surface| surface.object.clone()) {
+                self.select::<Mesh>("cuboid", &object);
+            }
         }
         if is_new {
             self.next_progress = now + PROGRESS;

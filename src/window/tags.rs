@@ -5,7 +5,7 @@ use egui::{Align, Color32, ComboBox, Frame, Layout, RichText, TextWrapMode, Ui, 
 use super::app::App;
 use super::viewport::DIVIDER_MARGIN;
 use super::widgets::{ink, short};
-use crate::components::{Side, Tab, ViewMode, viewer_mut};
+use crate::components::{Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
@@ -120,7 +120,7 @@ impl App {
             let divider = beside.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
             self.viewer_mut().divider = divider;
         }
-        self.probe([x, y]);
+        self.explain_pixel([x, y]);
     }
 
     /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
@@ -133,17 +133,25 @@ impl App {
         match picture {
             _ if self.facts.trade.current().is_none() => self.say("the errors are not known yet"),
             _ if wipes => self.explain(usize::from(errors[1] > errors[0])),
-            Some(pixel) => self.probe(pixel),
+            Some(pixel) => self.explain_pixel(pixel),
             None => self.say("the picture has no worst pixel"),
         }
     }
 
     /// Probes a pixel, and opens the tab for it if there is room.
     pub fn probe(&mut self, pixel: [usize; 2]) {
-        let mut viewer = viewer_mut(&mut self.scene.world);
-        viewer.pixel = Some(pixel);
+        self.viewer_mut().pixel = Some(pixel);
+        // The scene's tab stays open: a click selects the cuboid there.
+        if self.desk.has_both && self.viewer().inspector != Some(Tab::Scene) {
+            self.viewer_mut().inspector = Some(Tab::Pixel);
+        }
+    }
+
+    /// Probes a pixel, and opens the tab for it in place of any other, if there is room.
+    fn explain_pixel(&mut self, pixel: [usize; 2]) {
+        self.probe(pixel);
         if self.desk.has_both {
-            viewer.inspector = Some(Tab::Pixel);
+            self.viewer_mut().inspector = Some(Tab::Pixel);
         }
     }
 }

@@ -74,13 +74,9 @@ impl App {
     fn take_click(&mut self, response: &Response) {
         let pointer = response.interact_pointer_pos();
         if let Some(at) = pointer.filter(|_| response.clicked()) {
-            let (pixel, tab) = (self.pixel_at(at), self.viewer().inspector);
+            let pixel = self.pixel_at(at);
             self.desk.clicked = Some(pixel);
             self.probe(pixel);
-            // The scene's tab stays open: the click selects the cuboid there.
-            if tab == Some(Tab::Scene) {
-                self.viewer_mut().inspector = tab;
-            }
         }
     }
 

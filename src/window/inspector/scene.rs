@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use egui::{Button, Grid, ScrollArea, TextEdit, TextStyle, Ui, vec2};
 use glam::DVec3;
-use hecs::World;
+use hecs::{Component, World};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -93,6 +93,13 @@ impl App {
                 Err(error) => self.say(format!("{}: {error}", difference(&before, &scene))),
             }
         }
+    }
+
+    /// Selects the entity of a kind, in scene files `key`, that has this name.
+    pub fn select<C: Component>(&mut self, key: &'static str, name: &str) {
+        let names = names::<C>(&self.scene.world);
+        let place = names.iter().position(|own| own == name);
+        self.desk.selected = place.map(|place| (key, place)).or(self.desk.selected);
     }
 }
 
