@@ -172,24 +172,25 @@ impl<R: Real> Reference<R> {
             let Some(meeting) = cuboid.solid.meet(&cuboid.solid.line(&self.sight, x, y)) else {
                 continue;
             };
-            // The order of another depth to the new one; a tie counts as less, so that the earlier cuboid is visible.
-            let order = |other: &Met<R>| {
+            // Whether the new cuboid, where it is hit, replaces another that is visible so far: the other is farther by
+            // more than a tie.
+            let replaces = |other: &Met<R>| {
                 if self.without == Some(Rule::DepthTest) {
-                    return Some(Ordering::Greater);
+                    return Some(true);
                 }
                 let [one, two] =
                     [1.0 - DEPTH_TIE, 1.0 + DEPTH_TIE].map(|it| other.meeting.depth * R::of(it));
-                (one.min(two) - meeting.depth).sign(0.0)
+                let order = (one.min(two) - meeting.depth).sign(0.0);
+                order.map(|order| order == Ordering::Greater)
             };
-            let is_before = |other: &Met<R>| {
-                other.meeting.is_certain
-                    && order(other).is_some_and(|order| order != Ordering::Greater)
-            };
-            let is_hidden = met.iter().any(is_before);
+            // One of `met` is visible so far, or the background. It is not known which: ties are not transitive.
+            let may_be_background = !met.iter().any(|other| other.meeting.is_certain);
+            let may_be_visible =
+                may_be_background || met.iter().any(|other| replaces(other) != Some(false));
             if meeting.is_certain {
-                met.retain(|other| order(other) != Some(Ordering::Greater));
+                met.retain(|other| replaces(other) != Some(true));
             }
-            if !is_hidden {
+            if may_be_visible {
                 met.push(Met { cuboid, meeting });
             }
         }

@@ -91,6 +91,25 @@ fn every_pixel_just_outside_an_edge_is_proven() {
     assert_eq!(proof.proven, 64, "{:?}", proof.examples);
 }
 
+/// Seen from one unit above the first of three plates, the second is nearer by less than a tie, the third by more. The
+/// third is visible, although it ties with the second.
+#[test]
+fn a_face_that_a_tie_hides_hides_no_other() {
+    let mut world = empty();
+    for (height, blue) in [(-1.0, 0.0), (-1.0 + 9.9993e-12, 0.0), (-1.0 + 1.5e-11, 1.0)] {
+        let size = DVec3::new(10.0, 1.0, 10.0);
+        let material = Material {
+            ambient: DVec3::new(1.0 - blue, 0.5, blue),
+            ..WHITE
+        };
+        spawn_cuboid(&mut world, size, at(DVec3::Y * (height - 0.5)), material);
+    }
+    shine(&mut world, LightKind::Ambient, 200.0, DVec3::ZERO);
+    let view = view([8, 8], DVec3::ZERO, DVec3::new(0.0, -1.0, 2.0), Projection::Perspective);
+    let proof = proof(&mut world, &view);
+    assert_eq!(proof.proven, 64, "{:?}", proof.examples);
+}
+
 /// A cuboid of 2e14 units, lit and seen from a few units in front of its corner.
 pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
     const HALF: f64 = 1e14;
