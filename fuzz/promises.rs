@@ -3,7 +3,7 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Light, Material, Mesh, ShadingMode, Transform, View, length};
+use shadetrade::components::{Light, Material, Mesh, ShadingMode, Transform, View, length, unit};
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step};
 use shadetrade::reference::{in_row, picture};
 use shadetrade::report::Monitor;
@@ -167,8 +167,12 @@ fn true_to_the_reference(world: &World, view: &View, exact: &Frame) {
     }
 }
 
-/// Whether the level of this pixel is ambiguous: a light grazes its face, or is at the visible point.
+/// Whether the level of this pixel is ambiguous: a light grazes its face or is at the visible point, or the near plane
+/// touches a corner, and so decides how unit vectors are interpolated.
 fn is_tie(world: &World, view: &View, pixel: usize) -> bool {
+    if view.shading == Some(ShadingMode::UnitVectors) && touches_a_corner(world, view) {
+        return true;
+    }
     let [x, y] = [pixel % view.size[0], pixel / view.size[0]];
     let Some(Some(seen)) = in_row(world, view, y, &[x]).pop() else {
         return true;
@@ -191,6 +195,21 @@ fn is_tie(world: &World, view: &View, pixel: usize) -> bool {
     lights
         .iter()
         .any(|(_, place)| length(place.position - seen.position) <= AT_THE_POINT * sizes)
+}
+
+/// Whether the depth of a corner is that of the near plane, but for rounding.
+fn touches_a_corner(world: &World, view: &View) -> bool {
+    let (eye, near) = (view.camera.position, view.camera.near());
+    let forward = unit(view.camera.target - eye);
+    let mut cuboids = world.query::<(&Mesh, &Transform)>();
+    cuboids.iter().any(|(mesh, transform)| {
+        let transform = transform.turned(view.turned);
+        let mut corners = mesh.corners.iter();
+        corners.any(|corner| {
+            let from_eye = transform.axes() * *corner + transform.position - eye;
+            (forward.dot(from_eye) / near - 1.0).abs() < 1e-12
+        })
+    })
 }
 
 /// Asserts that the displayed bytes are the display step of the levels, or of the next float: certified squares convert

@@ -17,6 +17,9 @@ use serde::Serialize;
 
 pub use png::{Animation, encode_png};
 
+/// The names of standard output. As paths they would replace a file that the shell is writing.
+const STDOUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Output {
@@ -27,9 +30,9 @@ pub enum Output {
 }
 
 impl From<OsString> for Output {
-    /// `-` and `/dev/stdout` are standard output, everything else is a path.
+    /// `-` and the system's names are standard output, everything else is a path.
     fn from(path: OsString) -> Self {
-        if path == "-" || path == "/dev/stdout" {
+        if STDOUT.iter().any(|name| path == *name) {
             Output::Stdout
         } else {
             Output::File(path.into())

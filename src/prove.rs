@@ -106,6 +106,14 @@ pub struct Example {
     pub error: [f64; 2],
     /// The face of the enclosure, cuboid * 6 + face; `None` is the background.
     pub face: Option<usize>,
+    /// The face that is drawn, cuboid * 6 + face; `None` is the background.
+    pub drawn_face: Option<usize>,
+}
+
+impl Example {
+    fn gravity(&self) -> (Verdict, f64) {
+        (self.verdict, self.error[0])
+    }
 }
 
 /// The proof of a picture. Errors and widths are between displayed levels.
@@ -126,7 +134,7 @@ pub struct Proof {
     pub widest_enclosure: f64,
     /// The largest possible error of the f64 reference.
     pub reference_error: f64,
-    /// The pixels with the largest errors that are not proven, the worst first.
+    /// The pixels that are not proven: the refuted ones first, and of these the ones with the largest errors.
     pub examples: Vec<Example>,
     /// Row by row from the top.
     #[serde(skip)]
@@ -197,7 +205,8 @@ pub fn nearest(
         .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
-/// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error.
+/// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error. Where it may not
+/// show its face, this is against the first face that it may show.
 pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
     let levels = nearest(shown.face, shown.levels, seen);
     let of_levels = |error| Verdict::of(error, limit + shown.rounding);
@@ -210,7 +219,8 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 
         is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
         is_covered: shown.face.is_some(),
     };
-    (mark, levels.unwrap_or([255.0; 2]))
+    let error = levels.or_else(|| nearest(seen[0].face(), shown.levels, seen));
+    (mark, error.unwrap_or([0.0, 255.0]))
 }
 
 impl Proof {
@@ -221,7 +231,7 @@ impl Proof {
         self.reference_error = self.reference_error.max(below.reference_error);
         self.examples.extend(below.examples);
         self.examples
-            .sort_by(|one, other| other.error[0].total_cmp(&one.error[0]));
+            .sort_by(|one, other| other.gravity().partial_cmp(&one.gravity()).unwrap_or(Equal));
         self.examples.truncate(EXAMPLES);
         self.marks.extend(below.marks);
     }
@@ -250,6 +260,7 @@ impl Proof {
                 enclosure,
                 error,
                 face,
+                drawn_face: shown.face,
             });
         }
         self.marks.push(mark);

@@ -6,7 +6,7 @@ use anyhow::bail;
 use serde::Serialize;
 
 use super::png::PngPicture;
-use super::{Example, Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
+use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
 use crate::components::{Mesh, names};
 use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
@@ -126,10 +126,15 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     for example in &proof.examples {
         let [x, y] = example.pixel;
         let verdict = example.verdict.name();
-        let (face, error) = (face(drawing, example), example.error);
-        let error = interval(error, |level| format!("{level:.3}"));
+        let [drawn, face] = [example.drawn_face, example.face].map(|it| face(drawing, it));
+        let instead = if drawn == face {
+            String::new()
+        } else {
+            format!("{drawn} instead of ")
+        };
+        let error = interval(example.error, |level| format!("{level:.3}"));
         lines.push(format!(
-            "pixel {x},{y} is {verdict}, {face}: off by {error} levels"
+            "pixel {x},{y} is {verdict}, {instead}{face}: off by {error} levels"
         ));
         let channels = CHANNELS.iter().zip(example.drawn);
         for ((channel, drawn), exact) in channels.zip(example.enclosure) {
@@ -142,9 +147,9 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     lines
 }
 
-/// The name of the cuboid and of the face with which an example is compared.
-fn face(drawing: &Drawing, example: &Example) -> String {
-    let Some(face) = example.face else {
+/// The name of the cuboid and of its face.
+fn face(drawing: &Drawing, face: Option<usize>) -> String {
+    let Some(face) = face else {
         return "background".to_owned();
     };
     let names = names::<Mesh>(&drawing.scene.world);

@@ -11,6 +11,16 @@ use serde::{Deserialize, Serialize};
 use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
 use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer, table};
 
+/// The types in messages of serde, and what users call them.
+const TYPES: [(&str, &str); 6] = [
+    ("`.`: ", ""),
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number from 0"),
+    ("expected usize", "expected a whole number from 0"),
+    ("wanted string or table", "invalid type, expected a string"),
+    ("expected a sequence", "expected an array"),
+];
+
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -124,13 +134,22 @@ impl SceneRecord {
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let record: SceneRecord = toml::from_str(text).map_err(|error| {
+        let document = toml::Deserializer::parse(text).map_err(|error| (String::new(), error));
+        let read = |document| {
+            serde_path_to_error::deserialize(document)
+                .map_err(|error| (format!("`{}`: ", error.path()), error.into_inner()))
+        };
+        let record: SceneRecord = document.and_then(read).map_err(|(key, error)| {
             let span = error.span().unwrap_or_default();
             let message = match text.get(span.clone()) {
                 Some(header @ ("[cuboid]" | "[light]" | "[camera]")) => {
                     format!("{header} is one of several tables, expected [{header}]")
                 }
-                _ => error.message().to_owned(),
+                _ => TYPES
+                    .iter()
+                    .fold(key + error.message(), |message, (name, words)| {
+                        message.replace(name, words)
+                    }),
             };
             (span, message)
         })?;

@@ -120,6 +120,8 @@ fn a_pixel_shows_one_of_its_faces_in_the_levels_of_that_face() {
         assert_eq!(mark.is_outline, first != last);
         assert_eq!(mark.is_covered, face.is_some());
     }
+    let (_, [_, error]) = judge(shown(Some(4), 90.0), &outline, 0.5);
+    assert!((error - 10.0).abs() < 1e-9, "{error} from the first face");
 }
 
 #[test]

@@ -105,7 +105,12 @@ fn a_face_that_a_tie_hides_hides_no_other() {
         spawn_cuboid(&mut world, size, at(DVec3::Y * (height - 0.5)), material);
     }
     shine(&mut world, LightKind::Ambient, 200.0, DVec3::ZERO);
-    let view = view([8, 8], DVec3::ZERO, DVec3::new(0.0, -1.0, 2.0), Projection::Perspective);
+    let view = view(
+        [8, 8],
+        DVec3::ZERO,
+        DVec3::new(0.0, -1.0, 2.0),
+        Projection::Perspective,
+    );
     let proof = proof(&mut world, &view);
     assert_eq!(proof.proven, 64, "{:?}", proof.examples);
 }

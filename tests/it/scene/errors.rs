@@ -23,13 +23,13 @@ Keys that do not exist or are missing.
 16 ¦ [[camera]]⏎[[camera]]             ¦ 16:1  ¦ `name`
 
 Values of the wrong type.
- 1 ¦ background = 20                   ¦ 1:14  ¦ 20
+ 1 ¦ background = 20                   ¦ 1:14  ¦ `background` ¦ 20
  3 ¦ name = 7                          ¦ 3:8   ¦ 7
  4 ¦ size = [4.0, 3.0]                 ¦ 4:8   ¦ [4.0, 3.0]
  4 ¦ size = [1, 2, 3, 4]               ¦ 4:8   ¦ [1, 2, 3, 4]
- 4 ¦ size = [1, "2", 3]                ¦ 4:12  ¦ "2"
+ 4 ¦ size = [1, "2", 3]                ¦ 4:12  ¦ `cuboid[0].size[1]` ¦ "2" ¦ a number
  4 ¦ size.x = 4                        ¦ 4:1   ¦ size.x
- 9 ¦ shininess = true                  ¦ 9:13  ¦ true
+ 9 ¦ shininess = true                  ¦ 9:13  ¦ `cuboid[0].material.shininess` ¦ true
 12 ¦ kind = "difuse"                   ¦ 12:8  ¦ difuse ¦ `diffuse`
 14 ¦ intensity = 1⏎on = 1              ¦ 15:6  ¦ 1
  4 ¦ shading = "Phong"⏎size = [4,3,2]  ¦ 4:11  ¦ Phong ¦ `phong`
@@ -42,7 +42,7 @@ Values of the wrong type.
 22 ¦ [view]⏎inspector = "help"         ¦ 23:13 ¦ help
 22 ¦ [view]⏎sides = ["phong-0"]        ¦ 23:9  ¦ ["phong-0"]
 22 ¦ [view]⏎sides = ["phong-0", "x-1"] ¦ 23:9  ¦ "x-1" ¦ "reference"
-22 ¦ [view]⏎pixel = [0, -1]            ¦ 23:13 ¦ -1
+22 ¦ [view]⏎pixel = [0, -1]            ¦ 23:13 ¦ `view.pixel[1]` ¦ -1 ¦ a whole number
 
 Numbers out of range; every range is tried below.
  1 ¦ background = [0, 0, nan]          ¦ 1:14  ¦ NaN
