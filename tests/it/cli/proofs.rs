@@ -40,7 +40,7 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
             let errors: Vec<_> = errors.collect();
             assert_eq!(errors.len(), refuted.min(10));
             assert!(errors.is_sorted_by(|a, b| a >= b));
-            let of_example = "pixel verdict drawn enclosure error face";
+            let of_example = "pixel verdict drawn enclosure error face drawn_face";
             assert_eq!(keys(&examples[0]), of_example);
             assert_eq!(examples[0]["verdict"], "refuted");
         } else {
