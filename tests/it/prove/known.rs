@@ -96,21 +96,13 @@ fn every_pixel_just_outside_an_edge_is_proven() {
 #[test]
 fn a_face_that_a_tie_hides_hides_no_other() {
     let mut world = empty();
-    for (height, blue) in [(-1.0, 0.0), (-1.0 + 9.9993e-12, 0.0), (-1.0 + 1.5e-11, 1.0)] {
-        let size = DVec3::new(10.0, 1.0, 10.0);
-        let material = Material {
-            ambient: DVec3::new(1.0 - blue, 0.5, blue),
-            ..WHITE
-        };
-        spawn_cuboid(&mut world, size, at(DVec3::Y * (height - 0.5)), material);
+    for height in [0.0, 9.9993e-12, 1.5e-11] {
+        let place = at(DVec3::Y * (height - 1.5));
+        spawn_cuboid(&mut world, DVec3::new(10.0, 1.0, 10.0), place, WHITE);
     }
     shine(&mut world, LightKind::Ambient, 200.0, DVec3::ZERO);
-    let view = view(
-        [8, 8],
-        DVec3::ZERO,
-        DVec3::new(0.0, -1.0, 2.0),
-        Projection::Perspective,
-    );
+    let ahead = DVec3::new(0.0, -1.0, 2.0);
+    let view = view([8, 8], DVec3::ZERO, ahead, Projection::Perspective);
     let proof = proof(&mut world, &view);
     assert_eq!(proof.proven, 64, "{:?}", proof.examples);
 }
@@ -153,12 +145,8 @@ fn corners_of_one_face_may_decide_a_tie_independently() {
     let mut covered = 0;
     for _ in 0..40 {
         let (mut world, axes) = any_cube(&mut random);
-        shine(
-            &mut world,
-            LightKind::Specular,
-            200.0,
-            axes * (3.0 * DVec3::Z),
-        );
+        let light = axes * (3.0 * DVec3::Z);
+        shine(&mut world, LightKind::Specular, 200.0, light);
         let eye = axes * DVec3::new(6.0, 1.0, -4.0);
         let view = view([24, 18], eye, DVec3::ZERO, Projection::Perspective);
         let proof = proof(&mut world, &view.shaded(ShadingMode::Gouraud));

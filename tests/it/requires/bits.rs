@@ -166,10 +166,8 @@ fn twin(
         return 0.0;
     }
     let mirrored = fit(3, fit(3, normal * (2.0 * cosine)) - l);
-    let exponent = one(
-        4,
-        one(4, dot(3, o, mirrored).max(0.0).log2()) * one(4, WHITE.shininess),
-    );
+    let log = one(4, dot(3, o, mirrored).max(0.0).log2());
+    let exponent = one(4, log * one(4, WHITE.shininess));
     let terms = [(200.0, cosine), (100.0, one(4, exponent.exp2()))];
     let [diffuse, specular] = terms.map(|(levels, factor)| one(5, one(5, levels) * factor));
     sum(5, diffuse, specular)
@@ -237,7 +235,6 @@ fn progress_rises_to_one_and_a_search_can_be_cancelled() {
     let mut shares = shares.into_inner().unwrap();
     shares.sort_by(f64::total_cmp);
     assert_eq!((shares.len(), shares[17]), (18, 1.0));
-    assert!(shares[0] > 0.0);
     let monitor = Monitor {
         is_cancelled: &|| true,
         ..Monitor::NONE

@@ -30,12 +30,8 @@ pub fn still_life(count: usize) -> World {
             specular: DVec3::new(0.5, 0.75, 1.0),
             shininess,
         };
-        spawn_cuboid(
-            &mut world,
-            size.into(),
-            placed(position, rotation),
-            material,
-        );
+        let place = placed(position, rotation);
+        spawn_cuboid(&mut world, size.into(), place, material);
     }
     for (kind, levels, position) in [
         (Ambient, [40.0; 3], [0.0; 3]),

@@ -60,11 +60,8 @@ fn the_axis_is_the_middle_of_the_picture_and_half_the_field_of_view_its_edge() {
             }
         }
     }
-    let seen = seen(
-        dvec3(1.0, 1.0, -1.0),
-        DVec3::splat(2.0),
-        &ahead(Projection::Perspective, [3, 2]),
-    );
+    let view = ahead(Projection::Perspective, [3, 2]);
+    let seen = seen(dvec3(1.0, 1.0, -1.0), DVec3::splat(2.0), &view);
     assert_eq!(seen.seen[4], dvec3(0.0, 0.0, 10.0));
 }
 

@@ -274,12 +274,8 @@ fn beyond_its_corners_a_face_is_as_deep_as_its_outermost_corner() {
         let rotated = turned(DVec3::Y * 45.0);
         let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), rotated, MATERIAL);
         if let Some(z) = wall {
-            spawn_cuboid(
-                &mut world,
-                dvec3(10.0, 10.0, 0.1),
-                at(DVec3::Z * z),
-                MATERIAL,
-            );
+            let size = dvec3(10.0, 10.0, 0.1);
+            spawn_cuboid(&mut world, size, at(DVec3::Z * z), MATERIAL);
         }
         let mut frame = draw(&mut world, &view);
         let projected = world.query_one_mut::<&mut Projected>(cuboid);

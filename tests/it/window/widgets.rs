@@ -205,10 +205,8 @@ fn entities_are_copied_renamed_and_deleted() {
             assert_eq!(counts(&harness), expected, "{kind}");
         }
         let now = record(&harness);
-        assert_ne!(
-            now.light[0].position,
-            now.light[now.light.len() - 1].position
-        );
+        let lights = &now.light;
+        assert_ne!(lights[0].position, lights[lights.len() - 1].position);
         // The neighbour of the deleted one is selected.
         let copied = expected[index] - 1;
         assert_eq!(harness.state().desk.selected, Some((kind, copied)));
