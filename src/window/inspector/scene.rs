@@ -47,13 +47,14 @@ impl App {
         let mut places = entities.iter().map(|it| it.0);
         let mut selected = places.rfind(is_there).unwrap_or(entities[0].0);
         let of_kind = entities.iter().filter(|it| it.0.0 == selected.0);
-        let can_delete = of_kind.count() > 1;
+        let can_delete = selected.0 == "light" || of_kind.count() > 1;
         let buttons = ui.horizontal(|ui| {
+            let copy = ui.small_button("copy");
             let delete = ui.add_enabled(can_delete, Button::new("delete").small());
-            let delete = delete.on_disabled_hover_text("The last one is the pattern of copies.");
-            [ui.small_button("copy"), delete].map(|button| button.clicked())
+            let delete = delete.on_disabled_hover_text("A scene needs one.");
+            [copy, delete, ui.small_button("new light")].map(|button| button.clicked())
         });
-        let [copies, deletes] = buttons.inner;
+        let [copies, deletes, adds_light] = buttons.inner;
         entity_list(ui, &entities, &mut selected);
         ui.separator();
         let (kind, mut place) = selected;
@@ -72,7 +73,7 @@ impl App {
             own["name"].clone()
         };
         if copies {
-            all.push(copy(kind, all, place));
+            all.push(copy(kind, all, &all[place]));
             place = all.len() - 1;
         }
         if deletes {
@@ -81,6 +82,10 @@ impl App {
         self.desk.selected = Some((kind, place));
         if is_viewed {
             scene["view"]["camera"] = viewed;
+        }
+        if let (true, Some(lights)) = (adds_light, scene["light"].as_array_mut()) {
+            self.desk.selected = Some(("light", lights.len()));
+            lights.push(copy("light", lights, &new_light()));
         }
         ui.separator();
         Grid::new("scene").show(ui, |ui| row(ui, "background", &mut scene["background"]));
@@ -124,10 +129,18 @@ fn entities(world: &World) -> Vec<(EntityPlace, String)> {
     all.into_iter().flat_map(of_kind).collect()
 }
 
+/// A white light at the place of the assignment's lights.
+fn new_light() -> Value {
+    json!({
+        "name": "", "kind": "diffuse", "color": [1.0, 1.0, 1.0], "intensity": 100.0, "gain": 1.0,
+        "position": [10.0, 10.0, 10.0], "on": true,
+    })
+}
+
 /// A copy of an entity with a free name, in sight beside it: a cuboid is moved by a quarter of its size, a light by a tenth
 /// of its distance.
-fn copy(kind: &str, all: &[Value], place: usize) -> Value {
-    let mut copy = all[place].clone();
+fn copy(kind: &str, all: &[Value], original: &Value) -> Value {
+    let mut copy = original.clone();
     let [position, size] = ["position", "size"].map(|key| DVec3::deserialize(&copy[key]));
     if let (true, Ok(position)) = (kind != "camera", position) {
         copy["position"] = json!(position + size.map_or(position / 10.0, |size| size / 4.0));

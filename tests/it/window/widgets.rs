@@ -220,6 +220,13 @@ fn entities_are_copied_renamed_and_deleted() {
     assert_eq!(record(&harness).view.camera.as_deref(), Some("2"));
     click(&mut harness, "delete");
     assert_eq!(record(&harness).view, start.view);
+    // A scene may have no light, and gets one.
+    for lights in [3, 2, 1, 0, 1] {
+        let is_fewer = lights < counts(&harness)[1];
+        harness.state_mut().desk.selected = Some(("light", 0));
+        click(&mut harness, ["new light", "delete"][usize::from(is_fewer)]);
+        assert_eq!(counts(&harness)[1], lights);
+    }
     harness.state_mut().restore(&start);
     harness.run_ok();
     // The last cuboid cannot be deleted.
@@ -229,8 +236,7 @@ fn entities_are_copied_renamed_and_deleted() {
     // A duplicate name, or a name that a list of lights cannot hold, is refused.
     for (name, is_taken) in [("blue", true), ("red", false), ("", false), ("a,b", false)] {
         let before = names::<Light>(&harness.state().scene.world);
-        let white = before[0].clone();
-        click_inside(&mut harness, &white);
+        click_inside(&mut harness, &before[0]);
         let fields = harness.query_all_by_role(Role::TextInput);
         let inspector = harness.state().place.max.x;
         let field = fields
