@@ -145,7 +145,7 @@ fn copy(kind: &str, all: &[Value], original: &Value) -> Value {
     if let (true, Ok(position)) = (kind != "camera", position) {
         copy["position"] = json!(position + size.map_or(position / 10.0, |size| size / 4.0));
     }
-    let mut names = (2..).map(|number| format!("{kind} {number}"));
+    let mut names = (all.len() + 1..).map(|number| format!("{kind} {number}"));
     let is_free = |name: &String| all.iter().all(|it| it["name"] != **name);
     copy["name"] = json!(names.find(is_free));
     copy
