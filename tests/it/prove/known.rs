@@ -91,20 +91,20 @@ fn every_pixel_just_outside_an_edge_is_proven() {
     assert_eq!(proof.proven, 64, "{:?}", proof.examples);
 }
 
-/// Seen from one unit above the first of three plates, the second is nearer by less than a tie, the third by more. The
-/// third is visible, although it ties with the second.
+/// Seen from one unit above the first of three plates: the second ties with the first, and the third with the second alone; and
+/// rounding decides whether the second ties with the first.
 #[test]
-fn a_face_that_a_tie_hides_hides_no_other() {
-    let mut world = empty();
-    for height in [0.0, 9.9993e-12, 1.5e-11] {
-        let place = at(DVec3::Y * (height - 1.5));
-        spawn_cuboid(&mut world, DVec3::new(10.0, 1.0, 10.0), place, WHITE);
+fn faces_that_nearly_tie_are_proven_as_they_are_drawn() {
+    for heights in [[0.0, 9.9993e-12, 1.5e-11], [0.0, 1.000_01e-11, 0.0]] {
+        let mut world = empty();
+        for height in heights {
+            let place = at(DVec3::Y * (height - 1.5));
+            spawn_cuboid(&mut world, DVec3::new(10.0, 1.0, 10.0), place, WHITE);
+        }
+        let view = view([8, 8], DVec3::ZERO, -DVec3::ONE, Projection::Perspective);
+        let proof = proof(&mut world, &view);
+        assert_eq!(proof.proven, 64, "{:?}", proof.examples);
     }
-    shine(&mut world, LightKind::Ambient, 200.0, DVec3::ZERO);
-    let ahead = DVec3::new(0.0, -1.0, 2.0);
-    let view = view([8, 8], DVec3::ZERO, ahead, Projection::Perspective);
-    let proof = proof(&mut world, &view);
-    assert_eq!(proof.proven, 64, "{:?}", proof.examples);
 }
 
 /// A cuboid of 2e14 units, lit and seen from a few units in front of its corner.
