@@ -31,6 +31,9 @@ use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
 pub use png::{PngPicture, read as read_png};
 
+/// How far a level may be from its byte, in levels.
+const ROUNDING: f64 = 0.5;
+
 /// The most pixels in the list of examples.
 const EXAMPLES: usize = 10;
 
@@ -149,7 +152,7 @@ pub struct Shown {
     pub levels: [f64; 3],
     /// The bytes for a window; `None` if there are none to judge.
     pub bytes: Option<[u8; 3]>,
-    /// How far the levels may have been rounded: 0.5 if they are bytes.
+    /// How far the levels may have been rounded: [`ROUNDING`] if they are bytes, else 0.
     pub rounding: f64,
 }
 
@@ -173,7 +176,7 @@ impl Shown {
             face,
             levels: bytes.map(f64::from),
             bytes: Some(bytes),
-            rounding: 0.5,
+            rounding: ROUNDING,
         };
         let judged = |face: &Option<usize>| {
             let (mark, [_, most]) = judge(of_face(*face), seen, limit);
@@ -302,7 +305,7 @@ pub fn prove_at<const COUNT: usize>(
     let enclosures = Reference::<Interval>::new(world, view);
     let reference = Reference::<f64>::new(world, view);
     // Bytes are rounded levels.
-    let rounding = if picture.is_some() { 0.5 } else { 0.0 };
+    let rounding = if picture.is_some() { ROUNDING } else { 0.0 };
     let mut proofs = tolerances.map(|tolerance| Proof {
         limit: limit(tolerance) + rounding,
         pixels: width * height,
