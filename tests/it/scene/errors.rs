@@ -122,7 +122,7 @@ fn a_scene_needs_a_cuboid_and_a_camera() {
     let (rest, camera) = LEAST.split_at(LEAST.find("[[camera]]").unwrap());
     let (cuboid, light) = rest.split_at(rest.find("[[light]]").unwrap());
     for text in ["", "# nothing", light, camera] {
-        assert_complaint(text, "1:1", &["`cuboid`"]);
+        assert_complaint(text, "1:1", &["1:1: missing field `cuboid`"]);
     }
     assert_complaint(rest, "1:1", &["`camera`"]);
     assert_accepted(&format!("{cuboid}{camera}"));
