@@ -113,12 +113,6 @@ pub struct Example {
     pub drawn_face: Option<usize>,
 }
 
-impl Example {
-    fn gravity(&self) -> (Verdict, f64) {
-        (self.verdict, self.error[0])
-    }
-}
-
 /// The proof of a picture. Errors and widths are between displayed levels.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Proof {
@@ -208,12 +202,22 @@ pub fn nearest(
         .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
 }
 
-/// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error. Where it may not
-/// show its face, this is against the first face that it may show.
+/// The face with which a pixel is compared: the one that it shows if it may show it, else the first that it may show.
+fn compared(shown: Option<usize>, seen: &[Seen<Interval>]) -> Option<usize> {
+    let mut faces = seen.iter().map(Seen::face);
+    faces.find(|face| *face == shown).unwrap_or(seen[0].face())
+}
+
+/// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error against the face
+/// with which it is compared.
 pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
-    let levels = nearest(shown.face, shown.levels, seen);
-    let of_levels = |error| Verdict::of(error, limit + shown.rounding);
-    let of_levels = levels.map_or(Verdict::Refuted, of_levels);
+    let face = compared(shown.face, seen);
+    let error = nearest(face, shown.levels, seen).unwrap_or([0.0, 255.0]);
+    let of_levels = if face == shown.face {
+        Verdict::of(error, limit + shown.rounding)
+    } else {
+        Verdict::Refuted
+    };
     let same = seen.iter().filter(|seen| seen.face() == shown.face);
     let of_bytes = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
     let of_bytes = shown.bytes.and_then(of_bytes).unwrap_or(of_levels);
@@ -222,8 +226,7 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 
         is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
         is_covered: shown.face.is_some(),
     };
-    let error = levels.or_else(|| nearest(seen[0].face(), shown.levels, seen));
-    (mark, error.unwrap_or([0.0, 255.0]))
+    (mark, error)
 }
 
 impl Proof {
@@ -233,8 +236,10 @@ impl Proof {
         self.widest_enclosure = self.widest_enclosure.max(below.widest_enclosure);
         self.reference_error = self.reference_error.max(below.reference_error);
         self.examples.extend(below.examples);
-        self.examples
-            .sort_by(|one, other| other.gravity().partial_cmp(&one.gravity()).unwrap_or(Equal));
+        self.examples.sort_by(|one, other| {
+            let by_verdict = other.verdict.cmp(&one.verdict);
+            by_verdict.then(other.error[0].total_cmp(&one.error[0]))
+        });
         self.examples.truncate(EXAMPLES);
         self.marks.extend(below.marks);
     }
@@ -248,8 +253,7 @@ impl Proof {
         if mark.verdict == Verdict::Proven {
             self.worst = self.worst.max(error[1]);
         } else {
-            let same = seen.iter().find(|seen| seen.face() == shown.face);
-            let face = same.unwrap_or(&seen[0]).face();
+            let face = compared(shown.face, seen);
             // Where a face has several enclosures, the exact value lies in one of them.
             let enclosure = [0, 1, 2].map(|channel| {
                 let same = seen.iter().filter(|seen| seen.face() == face);

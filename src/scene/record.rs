@@ -12,8 +12,7 @@ use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Len
 use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer, table};
 
 /// The types in messages of serde, and what users call them.
-const TYPES: [(&str, &str); 6] = [
-    ("`.`: ", ""),
+const TYPES: [(&str, &str); 5] = [
     ("expected f64", "expected a number"),
     ("expected u32", "expected a whole number from 0"),
     ("expected usize", "expected a whole number from 0"),
@@ -136,20 +135,22 @@ impl SceneRecord {
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
         let document = toml::Deserializer::parse(text).map_err(|error| (String::new(), error));
         let read = |document| {
-            serde_path_to_error::deserialize(document)
-                .map_err(|error| (format!("`{}`: ", error.path()), error.into_inner()))
+            serde_path_to_error::deserialize(document).map_err(|error| {
+                let key = match error.path().to_string() {
+                    root if root == "." => String::new(),
+                    key => format!("`{key}`: "),
+                };
+                (key, error.into_inner())
+            })
         };
         let record: SceneRecord = document.and_then(read).map_err(|(key, error)| {
             let span = error.span().unwrap_or_default();
+            let in_words = |message: String, (name, words)| message.replace(name, words);
             let message = match text.get(span.clone()) {
                 Some(header @ ("[cuboid]" | "[light]" | "[camera]")) => {
                     format!("{header} is one of several tables, expected [{header}]")
                 }
-                _ => TYPES
-                    .iter()
-                    .fold(key + error.message(), |message, (name, words)| {
-                        message.replace(name, words)
-                    }),
+                _ => TYPES.into_iter().fold(key + error.message(), in_words),
             };
             (span, message)
         })?;

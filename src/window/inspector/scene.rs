@@ -129,11 +129,11 @@ fn entities(world: &World) -> Vec<(EntityPlace, String)> {
     all.into_iter().flat_map(of_kind).collect()
 }
 
-/// A white light at the place of the assignment's lights.
+/// The original of new lights, with the keys that have no default. A copy has a name.
 fn new_light() -> Value {
     json!({
-        "name": "", "kind": "diffuse", "color": [1.0, 1.0, 1.0], "intensity": 100.0, "gain": 1.0,
-        "position": [10.0, 10.0, 10.0], "on": true,
+        "kind": "diffuse", "color": [1.0, 1.0, 1.0], "intensity": 100.0,
+        "position": [10.0, 10.0, 10.0],
     })
 }
 

@@ -48,7 +48,7 @@ const FAILURES: &str = r#"
 2  requires -o b.png  ->  b.png|.toml
 2  prove -o - --json  ->  -o and --json|give -o a file
 2  requires -o /dev/stdout --json  ->  -o and --json
-2  replay quit.log -o - --hash  ->  -o and --hash
+2  replay quit.log -o /dev/fd/1 --hash  ->  -o and --hash
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
 1  requires -o sub  ->  sub|directory

@@ -37,7 +37,7 @@ fn standard_output_holds_the_file_alone() {
     let folder = folder();
     for (line, words) in [
         ("render -o -", "standard output"),
-        ("render -o /dev/fd/1", "standard output"),
+        ("render -o /dev/stdout", "standard output"),
         ("prove -o -", "proven     192 of 192 pixels"),
     ] {
         let output = run(folder.path(), &format!("{line} --size 16x12"));
