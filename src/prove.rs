@@ -146,7 +146,7 @@ pub struct Shown {
     pub levels: [f64; 3],
     /// The bytes for a window; `None` if there are none to judge.
     pub bytes: Option<[u8; 3]>,
-    /// How far the levels may have been rounded: [`ROUNDING`] if they are bytes, else 0.
+    /// How far the levels may have been rounded: `ROUNDING` if they are bytes, else 0.
     pub rounding: f64,
 }
 
