@@ -51,6 +51,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn numbers_end_where_their_heading_ends() {
+        let table = aligned(&["id", "ms"], &[vec!["gouraud".into(), "1".into()]]);
+        let lines: Vec<&str> = table.lines().collect();
+        assert_eq!([lines[0], lines[2]], ["id        ms", "gouraud    1"]);
+    }
+
+    #[test]
     fn a_paragraph_keeps_its_words_in_lines_of_at_most_the_width() {
         let words = "levels of 255, \u{b5}s ".repeat(40);
         let paragraph = wrapped(&words);

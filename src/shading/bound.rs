@@ -189,10 +189,8 @@ impl Highlight {
     pub fn new(shininess: f64) -> Self {
         // The largest s^k sin^j: at tan^2 = j / k.
         let peak = |k: f64, j: f64| {
-            if k > 0.0 {
+            if k >= 0.0 {
                 (k / (k + j)).powf(k / 2.0) * (j / (k + j)).powf(j / 2.0)
-            } else if k == 0.0 {
-                1.0
             } else {
                 f64::INFINITY
             }

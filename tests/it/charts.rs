@@ -60,6 +60,7 @@ fn values_are_swept_in_even_steps_with_three_or_one_a_decade() {
         let scene = sweep("distance from the origin").scene(value);
         let scene = scene.expect("it is built in");
         let centre = scene.cuboid[0].position;
+        assert_eq!(centre.y, -0.5 * value);
         let lights = scene.light.into_iter();
         let places = lights.map(|it| it.position.map(|place| place.distance(centre).round()));
         places.collect::<Vec<_>>()
@@ -130,6 +131,13 @@ fn the_kept_range_in_json_is_the_longest_run_of_proven_points() {
         assert!(!longer.any(is_run), "{what}");
     }
     let text = table(&CURVES);
+    let (rows, _) = text.split_once("\n\n").expect("a table and its legend");
+    let is_all = |it: &&ErrorCurve| it.points.iter().all(|it| it.verdict == Proven);
+    let all = CURVES.iter().filter(is_all).count();
+    assert_eq!(
+        rows.split_whitespace().filter(|it| *it == "all").count(),
+        all
+    );
     let names = SWEEPS.iter().map(|it| it.number);
     for word in names.chain(EVALUATIONS.map(|(id, _)| id)) {
         assert!(text.contains(word), "{word} is not in\n{text}");

@@ -14,7 +14,7 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
     const HIGHLIGHT: [usize; 2] = [565, 327];
     type Change = fn(&mut SceneRecord);
     let only_white: Change = |record| record.light.truncate(1);
-    let wide: Change = |record| record.cuboid[0].material.shininess = 1.0;
+    let wide: Change = |record| record.cuboid[0].material.shininess = 12.0;
     let lamp: Change = |record| {
         record.light.truncate(1);
         record.light[0].position = Some(DVec3::new(0.0, 0.0, 2.0));
@@ -24,8 +24,8 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
     let cases: [([usize; 2], Change, &str); 7] = [
         // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
         (HIGHLIGHT, |_| (), "No vertex lies in the highlight"),
-        // The exponent 1 makes a highlight as wide as the face, and every corner lies in it.
-        (HIGHLIGHT, wide, "(o.r)^1 of light specular rises"),
+        // The exponent 12 makes the highlight so wide that a corner has a third of it.
+        (HIGHLIGHT, wide, "(o.r)^12 of light specular rises"),
         // Ambient light is the same everywhere.
         (HIGHLIGHT, ambient, "Light changes nearly linearly"),
         (HIGHLIGHT, dark, "No light"),
@@ -107,7 +107,7 @@ fn assert_shows(cell: &str, value: f64) {
 #[test]
 fn the_text_shows_every_value_in_rows() {
     let strengths = [1e-9, 0.5, 7e5];
-    let surface = surface_of(ShadingMode::Phong, [480, 300], |record| {
+    let surface = surface_of(ShadingMode::Phong, [300, 300], |record| {
         for (light, strength) in record.light.iter_mut().zip(strengths) {
             light.intensity *= strength;
         }
@@ -152,6 +152,13 @@ fn the_text_shows_every_value_in_rows() {
         modes.map(|it| it.map(|level| f64::from(display_step(level)))),
     );
     let exact = surface.sample.as_ref().expect("the same face");
+    assert!(exact.position.x < -1.0);
+    for (cell, value) in cells(products, "position")
+        .iter()
+        .zip(exact.position.to_array())
+    {
+        assert_shows(cell, value);
+    }
     let exact = [exact.gouraud, exact.phong].map(|it| it.to_array());
     assert_row("reference", exact);
 

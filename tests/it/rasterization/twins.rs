@@ -9,27 +9,6 @@ use crate::support::cases::cases;
 use crate::support::random::Random;
 
 #[test]
-fn two_halves_of_any_quadrilateral_cover_exactly_its_pixels_once() {
-    let mut random = Random(1);
-    let most = 1000 * cases(30);
-    let (mut covered, mut left) = (0, most);
-    while left > 0 {
-        // Half of them on a coarse grid, where edges meet pixel centres.
-        let unit = [1.0, 128.0][left % 2];
-        let ring = [(); 4].map(|()| {
-            [(); 2].map(|()| (random.within(-256.0, 2048.0) / unit).round() as i32 * unit as i32)
-        });
-        let [a, b, c, d] = ring;
-        if turn([a, b, c]) > 0 && turn([a, c, d]) > 0 {
-            let halves = [snapped(&[a, b, c]), snapped(&[a, c, d])];
-            covered += assert_twin(&halves, [7, 7], |x, y| encloses(&ring, x, y));
-            left -= 1;
-        }
-    }
-    assert!(covered > 5 * most as u32, "{covered} pixels were looked at");
-}
-
-#[test]
 fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {
     let mut random = Random(3);
     for reach in [1000.0, 1e5, 1e8] {

@@ -262,11 +262,6 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(cases(64) as u32))]
 
     #[test]
-    fn any_text_is_a_scene_or_one_message(text in any::<String>()) {
-        assert_scene_or_message(&text);
-    }
-
-    #[test]
     fn any_damaged_scene_is_a_scene_or_one_message(
         scene in 0..BUILT_IN.len(),
         damages in prop::collection::vec((any::<prop::sample::Index>(), 0..40_usize, 0..16_usize), 1..4),

@@ -1,4 +1,4 @@
-//! Random scenes whose pictures must be equal: in another order of the cuboids, and drawn over another picture.
+//! Random scenes whose pictures must be equal: in another order of the cuboids, upside down, and drawn over another picture.
 //!
 //! `SHADETRADE_CASES` sets the number of scenes in each mode (default 64).
 
@@ -40,6 +40,20 @@ fn the_order_of_cuboids_changes_no_bit() {
             *id = (last - *id / 12) * 12 + *id % 12;
         }
         assert!(first == second, "{view:?}");
+    }
+}
+
+#[test]
+fn a_picture_upside_down_has_the_same_tiles() {
+    let random = &mut Random(9);
+    for (mut world, mut view) in scenes() {
+        view.size = [128; 2];
+        view.tolerance = 10_f64.powf(random.between(-4.0, 1.0));
+        let upright = draw(&mut world, &view, Keep::Display).counts();
+        // What grew to the right and down now grows to the left and up.
+        view.camera.up *= -1.0;
+        let counts = draw(&mut world, &view, Keep::Display).counts();
+        assert_eq!(counts, upright, "{view:?}");
     }
 }
 

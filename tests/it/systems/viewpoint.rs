@@ -173,6 +173,15 @@ fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
     for (limit, expected) in [limits.start(), limits.end()].into_iter().zip(expected) {
         assert!((limit * 10.0 - expected).abs() < 1e-12, "{limits:?}");
     }
+    // The limits do not depend on where the scene is.
+    let mut record = SceneRecord::of(&cameras().world);
+    let centres = record.cuboid.iter_mut().map(|it| &mut it.position);
+    centres.for_each(|it| *it += DVec3::X);
+    for camera in &mut record.camera {
+        (camera.position, camera.target) = (camera.position + DVec3::X, DVec3::X);
+    }
+    let moved = Orbit::limits(&Scene::spawn(String::new(), &record).world);
+    assert!((moved.start() - limits.start()).abs() + (moved.end() - limits.end()).abs() < 1e-12);
     let [nearest, farthest] = [1000, -1000].map(|steps| own.zoomed(steps, &limits).zoom);
     let reached = nearest / 1.1 < *limits.start() && farthest * 1.1 > *limits.end();
     assert!(reached && limits.contains(&nearest) && limits.contains(&farthest));

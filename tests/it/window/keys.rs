@@ -16,9 +16,7 @@ const SMALL: [usize; 2] = [430, 100];
 /// Brings the window into a state in which the action has an effect.
 fn prepare(window: &mut Window, action: Action) {
     match action {
-        Action::Shading(ShadingMode::Gouraud) | Action::Undo => {
-            window.press(Key::P);
-        }
+        Action::Shading(ShadingMode::Gouraud) | Action::Undo => window.press(Key::P),
         Action::View(ViewMode::Picture) => window.press(Key::F5),
         Action::ResetView => [Key::ArrowLeft, Key::Minus]
             .map(|key| window.press(key))
@@ -76,9 +74,7 @@ fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
             record.camera[0].orbit.elevation = up;
         }
         Action::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
-        Action::ResetView => {
-            record.camera[0].orbit = Orbit::default();
-        }
+        Action::ResetView => record.camera[0].orbit = Orbit::default(),
         Action::Tab(tab) => view.inspector = Some(tab),
         _ => {}
     }

@@ -5,6 +5,7 @@ use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
+use glam::DVec3;
 use shadetrade::components::{Light, Projection, Tab, Viewer, names};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
@@ -159,6 +160,9 @@ fn lists_of_choices_change_the_record() {
         click(&mut harness, "red");
         assert_eq!(record(&harness), expected);
     }
+    for key in ["W", "R", "S", "A"] {
+        assert!(harness.query_all_by_value(key).next().is_some(), "{key}");
+    }
 }
 
 #[test]
@@ -288,6 +292,11 @@ fn numbers_are_typed_within_their_range() {
     click_inside(&mut harness, "white");
     enter(&mut harness, "gain", 0, "40.5");
     assert_eq!(record(&harness).light[0].gain, 40.5);
+    // A light that is not ambient any more is somewhere.
+    harness.state_mut().desk.selected = Some(("light", 3));
+    harness.run_ok();
+    click_inside(&mut harness, "diffuse");
+    assert_eq!(record(&harness).light[3].position, Some(DVec3::ZERO));
 }
 
 /// A window with the middle pixel probed, and a harness that has laid out the same.
