@@ -126,7 +126,7 @@ pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
     if end - start >= 3.0 {
         return of(&[1.0]);
     }
-    let few = [&[1.0, 2.0, 5.0][..], &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0]];
+    let few = [&[1.0, 2.0, 5.0][..], &[1.0, 2.0, 3.0, 5.0, 7.0]];
     let few = few.map(of).into_iter().find(|ticks| ticks.len() >= 3);
     few.unwrap_or_else(|| of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]))
 }

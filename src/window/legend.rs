@@ -10,6 +10,9 @@ use crate::paint::color;
 use crate::shading::TileKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
 
+/// A panel of at least this width has room for two columns of tiles, in points.
+const WIDE: f32 = 240.0;
+
 impl App {
     /// The meaning of the colours of the error map or of tiles.
     pub fn legend(&self, ui: &mut Ui) {
@@ -18,10 +21,11 @@ impl App {
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
                 let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
+                let columns = if ui.available_width() < WIDE { 1 } else { 2 };
                 Grid::new("tiles").show(ui, |ui| {
                     for (index, ((kind, tint), count)) in kinds.enumerate() {
                         swatch(ui, tint, &format!("{count} {}", kind.name()));
-                        if index % 2 == 1 {
+                        if (index + 1) % columns == 0 {
                             ui.end_row();
                         }
                     }
