@@ -125,7 +125,7 @@ impl DrawnPixel {
 
 /// A level, or a difference of levels, with few digits.
 fn level(value: f64) -> String {
-    match value.abs() {
+    match value {
         10.0.. => format!("{value:.0}"),
         _ => short(value),
     }

@@ -2,7 +2,7 @@
 //! real measurements of ordinary and degenerate views against the format of `trade.json`.
 
 mod budget;
-mod contract;
+pub mod contract;
 pub mod example;
 mod exports;
 mod measured;

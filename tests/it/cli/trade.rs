@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 use serde_json::{Value, json};
 
 use super::{SCENE, folder, get, listing, put, said, shadetrade};
+use crate::trade::contract;
 
 #[cfg(unix)]
 #[test]
@@ -21,7 +22,9 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
     put(&out, "error.png", "mine");
     let output = crate::cli::in_shell(folder.path(), &script);
     assert!(output.status.success(), "{}", said(&output));
-    let report: Value = serde_json::from_slice(&get(&out, "trade.json")).expect("JSON");
+    let text = String::from_utf8(get(&out, "trade.json")).expect("JSON is UTF-8");
+    contract::read(&text);
+    let report: Value = serde_json::from_str(&text).expect("JSON");
     let methods = report["methods"].as_array().expect("there are methods");
     // Eight batches of four, on one thread.
     let found = methods
