@@ -22,7 +22,6 @@ use rayon::ThreadPoolBuilder;
 use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::output::Output;
-use crate::scene::BUILT_IN;
 pub use commands::{
     DEFAULT_FIGURES, ExtremesOptions, ProbeOptions, ProveOptions, RenderOptions, ReplayOptions,
     RequiresOptions, TradeOptions, ViewOptions,
@@ -203,11 +202,11 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
     }
 }
 
-/// The error of a first word that is similar to a command. It would be read as the scene of `view`.
+/// The error of a first word that is similar to a command. It would be read as the scene of `view`. No built-in scene's name
+/// is similar to a command.
 fn mistyped(words: &[OsString]) -> Option<clap::Error> {
     let word = words.get(1)?.to_str()?;
-    let is_scene = BUILT_IN.iter().any(|(name, _)| *name == word);
-    if is_scene || word.contains(['.', '/']) || Path::new(word).exists() {
+    if word.contains(['.', '/']) || Path::new(word).exists() {
         return None;
     }
     let commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
