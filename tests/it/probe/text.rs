@@ -139,6 +139,11 @@ fn the_text_shows_every_value_in_rows() {
             [light.gouraud, light.phong].map(|it| it.to_array()),
         );
         let row = cells(products, &light.name);
+        let heading = format!("  {} ({})", light.name, light.kind.name());
+        assert_eq!(
+            products.contains(&heading),
+            light.kind != LightKind::Ambient
+        );
         let factor: f64 = row[2].parse().expect("a number");
         assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
         for (cell, value) in row[3..].iter().zip(light.strength.to_array()) {

@@ -8,16 +8,6 @@
 use super::counting::{assert_counts, pixels, polygon, snapped};
 
 #[test]
-fn a_rectangle_of_five_by_five_is_split_into_fifteen_and_ten_pixels() {
-    // The example of Microsoft's "Rasterization rules": the diagonal is a left edge of the upper triangle.
-    let upper = polygon([[0.0, 0.0], [5.0, 5.0], [5.0, 0.0]]);
-    let lower = polygon([[0.0, 0.0], [0.0, 5.0], [5.0, 5.0]]);
-    assert_counts(&[upper], "11111 .1111 ..111 ...11 ....1");
-    assert_counts(&[lower], "..... 1.... 11... 111.. 1111.");
-    assert_counts(&[upper, lower], "11111 11111 11111 11111 11111");
-}
-
-#[test]
 fn corners_on_pixel_centres_cover_them_at_the_top_and_at_the_left() {
     let square = polygon([[0.5, 0.5], [0.5, 4.5], [4.5, 4.5], [4.5, 0.5]]);
     assert_counts(&[square], "1111.. 1111.. 1111.. 1111.. ...... ......");

@@ -1,6 +1,7 @@
 //! Answers about the picture belong to the picture shown, and old ones are marked as old.
 
 use egui::{Key, Pos2};
+use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, Tab, View, common_mode};
 use shadetrade::report::Monitor;
@@ -9,7 +10,7 @@ use shadetrade::window::comparison::Comparison;
 
 use super::{PAUSE, Window};
 use crate::support::records;
-use crate::support::window::default_scene;
+use crate::support::window::{default_scene, widgets};
 
 /// A size so small that everything is computed at once.
 const SMALL: [usize; 2] = [130, 100];
@@ -105,6 +106,10 @@ fn the_part_that_matters_most_comes_first() {
     let parts = window.app.facts.required.current().expect("an answer");
     assert!(parts.iter().any(|it| it.name.contains("red")));
     assert!(parts.is_sorted_by(|one, other| one.change.most() >= other.change.most()));
+    let left_out = parts.iter().filter(|it| it.change.keeps(0.5)).count();
+    let harness = widgets(window.app, [1400, 1000]);
+    // A text is a node in a node.
+    assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
 }
 
 #[test]
