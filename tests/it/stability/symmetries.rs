@@ -1,4 +1,5 @@
-//! Random scenes whose pictures must be equal: in another order of the cuboids, upside down, and drawn over another picture.
+//! Random scenes whose pictures must be equal: in another order of the cuboids, upside down, at another place and of another
+//! size, and drawn over another picture.
 //!
 //! `SHADETRADE_CASES` sets the number of scenes in each mode (default 64).
 
@@ -13,7 +14,7 @@ use super::life::Bits;
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;
 use crate::support::random_scene::case;
-use crate::support::scene::{MODES, draw};
+use crate::support::scene::{MODES, draw, truth};
 
 /// Random scenes in every mode, exact and within half a level.
 fn scenes() -> impl Iterator<Item = (World, View)> {
@@ -54,6 +55,41 @@ fn a_picture_upside_down_has_the_same_tiles() {
         view.camera.up *= -1.0;
         let counts = draw(&mut world, &view, Keep::Display).counts();
         assert_eq!(counts, upright, "{view:?}");
+    }
+}
+
+/// Points on this grid have differences that f64 holds exactly, even a billion units away.
+const GRID: f64 = 1_048_576.0;
+
+/// Maps every point and every length of a scene.
+fn map(world: &mut World, view: &mut View, point: impl Fn(DVec3) -> DVec3, scale: f64) {
+    for transform in world.query_mut::<&mut Transform>() {
+        transform.position = point(transform.position);
+    }
+    for mesh in world.query_mut::<&mut Mesh>() {
+        mesh.corners = mesh.corners.map(|corner| corner * scale);
+    }
+    let camera = &mut view.camera;
+    (camera.position, camera.target) = (point(camera.position), point(camera.target));
+    camera.height *= scale;
+    camera.near = camera.near.map(|near| near * scale);
+}
+
+#[test]
+fn at_another_place_and_of_another_size_a_scene_has_the_same_bits() {
+    let random = &mut Random(11);
+    for (mut world, mut view) in scenes() {
+        // On a grid all differences of points are exact.
+        let snap = |it: DVec3| (it * GRID).round() / GRID;
+        map(&mut world, &mut view, snap, 1.0);
+        let here = Bits::of(&draw(&mut world, &view, Keep::Levels));
+        let exact = truth(&world, &view);
+        let shift = random.around(1e9).round();
+        let scale = 2.0_f64.powi(random.within(-300.0, 300.0) as i32);
+        map(&mut world, &mut view, |it| (it + shift) * scale, scale);
+        let there = Bits::of(&draw(&mut world, &view, Keep::Levels));
+        assert!(there == here, "{view:?}");
+        assert!(truth(&world, &view) == exact, "{view:?}");
     }
 }
 
