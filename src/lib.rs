@@ -147,7 +147,8 @@
 //! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
 //! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
 //! pixel of them, and compares levels with those that are known on paper. Its charts ([`extremes::stability`]) sweep one number at
-//! a time and show where f32 and f64 exceed the tolerance.
+//! a time and show where f32 and f64 exceed the tolerance. All is computed from differences to the eye, and no threshold is an
+//! absolute length: a scene that is moved, or scaled by a power of two, without a rounding has the same bits.
 //!
 //! # What to touch to add ...
 //!
