@@ -63,6 +63,14 @@ fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Json], new: &[Json]
         amend_table(&mut table, old, new);
         amended.push(table);
     }
+    // Without a position a table is written after the last one of the kind before, which may stand after later ones of this.
+    let first = amended.iter().find_map(Table::position);
+    for table in amended
+        .iter_mut()
+        .take_while(|table| table.position().is_none())
+    {
+        table.set_position(first);
+    }
     *list = Item::ArrayOfTables(amended);
 }
 

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use shadetrade::scene::{BUILT_IN, Scene};
 
 use super::LEAST;
-use crate::support::cases::cases;
+use crate::support::cases::config;
 
 /// A line of [`LEAST`], its replacement (`⏎` breaks the line), the place of the error, and the key and what was found.
 const REFUSED: &str = r#"
@@ -259,7 +259,7 @@ fn unlimited_nesting_is_refused() {
 const PIECES: &str = "|\n|[|]|[[cuboid]]\n|[light]\n|=|\"|nan|-|1e999|.|é|\0|\r|0x";
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(64) as u32))]
+    #![proptest_config(config(64))]
 
     #[test]
     fn any_damaged_scene_is_a_scene_or_one_message(

@@ -5,10 +5,10 @@ use shadetrade::components::{Light, ShadingMode, Side, ordered, overwrite, viewe
 use shadetrade::scene::{Scene, SceneRecord};
 
 use super::random;
-use crate::support::cases::cases;
+use crate::support::cases::config;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(64) as u32))]
+    #![proptest_config(config(64))]
 
     #[test]
     fn a_record_equals_that_of_the_world_it_is_spawned_as(record in random::record()) {

@@ -5,7 +5,7 @@ use shadetrade::components::{LightKind, Projection, ShadingMode, Tab, ViewMode};
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord, updated};
 
 use super::{LEAST, MOST, random};
-use crate::support::cases::cases;
+use crate::support::cases::config;
 use crate::support::random::Random;
 use crate::support::records;
 
@@ -78,7 +78,7 @@ fn an_unchanged_text_stays_byte_for_byte() {
 /// Changes a record: adds, removes or replaces an entity or its name, or the view.
 fn change(record: &mut SceneRecord, random: &mut Random) {
     let [cuboids, lights, cameras] = [record.cuboid.len(), record.light.len(), record.camera.len()];
-    match random.below(12) {
+    match random.below(13) {
         0 => record.cuboid.push(random::cuboid(random)),
         1 => record.light.push(random::light(random)),
         2 => record.camera.push(random::camera(random)),
@@ -89,13 +89,14 @@ fn change(record: &mut SceneRecord, random: &mut Random) {
         7 if lights > 0 => record.light[random.below(lights)].name = random::name(random),
         8 => record.camera[random.below(cameras)].name = random::name(random),
         9 => (record.light).insert(random.below(lights + 1), random::light(random)),
-        10 => record.view = random::view(random),
+        10 => (record.cuboid).insert(random.below(cuboids), random::cuboid(random)),
+        11 => record.view = random::view(random),
         _ => record.light.reverse(),
     }
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(64) as u32))]
+    #![proptest_config(config(64))]
 
     #[test]
     fn a_changed_record_is_read_again(text in 0..texts().len(), seed: u64) {
@@ -132,6 +133,15 @@ fn differing<'a>(before: &'a str, after: &'a str) -> [Vec<&'a str>; 2] {
             .collect()
     };
     [without(before, after), without(after, before)]
+}
+
+#[test]
+fn a_table_inserted_before_all_others_of_its_kind_is_read_before_them() {
+    // In this text cameras stand before and after the cuboid.
+    let first = records::cuboid("first", [1.0; 3], [0.0; 3]);
+    let after = edited(LOOKED_AT, |record| record.cuboid.insert(0, first));
+    let [new, old] = ["first", "a"].map(|name| after.find(&format!("name = {name:?}")));
+    assert!(new < old, "{after}");
 }
 
 #[test]

@@ -18,7 +18,7 @@ use shadetrade::window::replay::{draw, hash};
 
 use super::{FRAME, Window};
 use crate::scene::random;
-use crate::support::cases::cases;
+use crate::support::cases::config;
 use crate::support::window::default_scene;
 
 /// A file in memory with a limited length.
@@ -81,7 +81,7 @@ fn log(lines: &str) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases(2) as u32))]
+    #![proptest_config(config(2))]
 
     #[test]
     fn a_window_is_replayed_unchanged(keys in vec(select(vec![
@@ -114,7 +114,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(config(128))]
 
     #[test]
     fn a_patch_turns_one_record_into_the_other(before in random::record(), mut after in random::record(), is_near: bool) {
