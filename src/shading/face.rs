@@ -96,8 +96,8 @@ pub struct Face<'a> {
     height: Affine<f64>,
     /// u, v and 1, times w: from -1 to 1 along the face's axes.
     pub place: Affine,
-    /// w times the weight of the corner across the diagonal: positive on the first triangle, minus the other's weight on
-    /// the second.
+    /// w times twice the weight of the corner across the diagonal: positive on the first triangle, minus the other's on the
+    /// second.
     pub diagonal: Affine<f64>,
     /// An upper bound of w |d(u, v) / d pixel| on the face: u and v are at most 1 there.
     uv_gradient: f64,
@@ -106,9 +106,8 @@ pub struct Face<'a> {
     /// The face's middle from the eye, and half its edges.
     middle: DVec3,
     half_edges: [DVec3; 2],
-    /// The places of its corners in the order of [`FACES`], and half that of the corner across the diagonal.
+    /// The places of its corners in the order of [`FACES`].
     corners: [[f64; 2]; 4],
-    across: [f64; 2],
 }
 
 impl<'a> Face<'a> {
@@ -133,8 +132,6 @@ impl<'a> Face<'a> {
             middle: centre + outwards * half[axis],
             half_edges: along.map(|axis| place.axes.col(axis) * half[axis]),
             corners,
-            // The weight of the second corner is one there and zero on the diagonal.
-            across: corners[1].map(|sign| sign / 2.0),
         };
         let to_centre = face.towards(centre, DVec3::ZERO);
         let [u, v] = along.map(|axis| to_centre.map(|c| -place.axes.col(axis).dot(c) / half[axis]));
@@ -145,9 +142,7 @@ impl<'a> Face<'a> {
         };
         let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
         face.uv_gradient = moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy);
-        face.diagonal = face
-            .place
-            .map(|place| face.across[0] * place.x + face.across[1] * place.y);
+        face.diagonal = face.place.map(|place| face.across([place.x, place.y]));
         face
     }
 
@@ -271,9 +266,10 @@ impl<'a> Face<'a> {
         })
     }
 
-    /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
+    /// Twice the weight of the first triangle's corner across the diagonal: below zero on the second triangle.
     pub fn across(&self, [u, v]: [f64; 2]) -> f64 {
-        self.across[0] * u + self.across[1] * v
+        let [x, y] = self.corners[1];
+        x * u + y * v
     }
 }
 

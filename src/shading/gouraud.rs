@@ -31,7 +31,7 @@ pub struct Gouraud<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TileColors {
     w: [[f32; 4]; 3],
-    /// The weight of the first triangle's corner across the diagonal: below zero on the second triangle.
+    /// Twice the weight of the first triangle's corner across the diagonal: below zero on the second triangle.
     before: [[f32; 4]; 3],
     /// By triangle and channel.
     colors: [[[[f32; 4]; 3]; 3]; 2],
