@@ -1,6 +1,6 @@
 //! Answers about the picture belong to the picture shown, and old ones are marked as old.
 
-use egui::{Key, Pos2};
+use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, Tab, View, common_mode};
@@ -76,7 +76,7 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
 }
 
 #[test]
-fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized() {
+fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized_and_in_the_picture() {
     let mut window = Window::of(default_scene(), [300, 200]);
     window.click(Pos2::new(170.0, 120.0));
     let before = window.record().view.pixel.expect("a pixel");
@@ -96,6 +96,10 @@ fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized() {
         let expected = (before as f64 + 0.5 - from) * scale + to;
         assert!((after as f64 - expected).abs() <= 1.0, "{pixel:?}");
     }
+    let last = [wider - 1, higher - 1];
+    window.app.viewer_mut().pixel = Some(last);
+    window.press_with(Modifiers::SHIFT, Key::ArrowRight);
+    assert_eq!(window.record().view.pixel, Some(last));
 }
 
 #[test]

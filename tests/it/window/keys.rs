@@ -193,13 +193,11 @@ fn in_a_narrow_window_panel_and_inspector_take_turns() {
     let folded = window.app.pixels().to_vec();
     for (key, is_folded, has_inspector) in [
         (Key::I, false, false),
+        (Key::E, false, true),
+        (Key::I, false, false),
         (Key::I, true, false),
         (Key::E, false, true),
         (Key::E, true, false),
-        (Key::I, false, false),
-        (Key::E, false, true),
-        (Key::I, false, false),
-        (Key::E, false, true),
     ] {
         window.press(key);
         assert_eq!(window.app.pixels() == folded, is_folded, "{key:?}");
