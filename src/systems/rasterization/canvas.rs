@@ -68,15 +68,19 @@ impl Canvas<'_, '_> {
             if span.is_empty() {
                 continue;
             }
-            let x = left + (span.start - self.square.place[0]) as i32 as f32;
             let y = top + (row - self.square.place[1]) as i32 as f32;
-            let indices = self.band.indices(row, &span);
             let before = pixels.count;
-            if self.band.triangles.is_empty() {
-                pixels.extend(simd, [x, y], indices);
-            } else {
-                let ids = &self.band.triangles[indices.clone()];
-                pixels.extend_seen([x, y], indices, |pixel| face(ids[pixel]) == face(self.id));
+            for first in span.clone().step_by(16) {
+                let x = left + (first - self.square.place[0]) as i32 as f32;
+                let mut seen = self.seen_lanes(simd, first, row, first..span.end.min(first + 16));
+                // Each run of seen pixels.
+                while seen != 0 {
+                    let start = seen.trailing_zeros();
+                    let count = (seen >> start).trailing_ones();
+                    let index = self.band.index(first, row) + start as usize;
+                    pixels.extend(simd, [x + start as i32 as f32, y], index, count as usize);
+                    seen &= u32::MAX << (start + count);
+                }
             }
             if pixels.count > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
                 strips += 1;
@@ -146,21 +150,28 @@ impl Canvas<'_, '_> {
 
     /// A bit for each of the sixteen pixels from `first` in a row: whether `span` covers it and it shows this face.
     #[inline(always)]
-    fn seen_lanes(&self, first: usize, row: usize, span: Range<usize>) -> u32 {
+    fn seen_lanes<S: Simd>(&self, simd: S, first: usize, row: usize, span: Range<usize>) -> u32 {
         let covered = (1 << (span.end - first)) - (1 << (span.start - first));
         if self.band.triangles.is_empty() {
             return covered;
         }
-        let start = self.band.index(first, row);
-        let ids = self.band.triangles[start..].iter().take(16).enumerate();
-        ids.fold(0, |seen, (lane, id)| {
-            seen | u32::from(face(*id) == face(self.id)) << lane
-        }) & covered
+        let ids = &self.band.triangles[self.band.index(first, row)..];
+        let seen = if let Some(ids) = ids.first_chunk::<16>() {
+            let faces = u32x16::simd_from(simd, *ids) >> 1;
+            let seen = faces.simd_eq(u32x16::splat(simd, face(self.id)));
+            seen.to_bitmask() as u32
+        } else {
+            // The last row of the band ends before.
+            ids.iter().enumerate().fold(0, |seen, (lane, id)| {
+                seen | u32::from(face(*id) == face(self.id)) << lane
+            })
+        };
+        seen & covered
     }
 
     /// Draws the seen pixels of the square with the colours of these rows.
     #[inline(always)]
-    pub fn draw<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
+    pub fn draw<S: Simd>(&mut self, simd: S, rows: &mut impl Rows<S>) {
         if self.is_whole() {
             return self.draw_whole(rows);
         }
@@ -173,7 +184,7 @@ impl Canvas<'_, '_> {
                 if span.is_empty() {
                     continue;
                 }
-                let seen = self.seen_lanes(first, row, span);
+                let seen = self.seen_lanes(simd, first, row, span);
                 self.counts.covered_pixels += u64::from(seen.count_ones());
                 let start = self.band.index(first, row);
                 let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);
@@ -185,8 +196,8 @@ impl Canvas<'_, '_> {
                 } else {
                     let new = rows.pixels(row - top);
                     if let Some(line) = self.band.pixels[start..].first_chunk_mut::<16>() {
-                        let seen = mask32x16::from_bitmask(new.token(), seen.into());
-                        *line = *seen.select(new, u32x16::simd_from(new.token(), *line));
+                        let seen = mask32x16::from_bitmask(simd, seen.into());
+                        *line = *seen.select(new, u32x16::simd_from(simd, *line));
                     } else {
                         // The last row of the band ends before.
                         for lane in lanes {

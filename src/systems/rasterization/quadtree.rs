@@ -146,8 +146,8 @@ impl Canvas<'_, '_> {
             {
                 outlined!(simd, {
                     match interpolant.ramp(simd, index, square) {
-                        Some(mut ramp) => self.draw(&mut ramp),
-                        None => self.draw(&mut interpolant.curve(simd, index, square)),
+                        Some(mut ramp) => self.draw(simd, &mut ramp),
+                        None => self.draw(simd, &mut interpolant.curve(simd, index, square)),
                     }
                 });
                 self.finish(kind, 1, shader.face());
@@ -178,7 +178,7 @@ impl Canvas<'_, '_> {
         if self.is_whole()
             && let Some(mut rows) = shader.rows(simd, &square, index, scratch)
         {
-            outlined!(simd, self.draw(&mut rows));
+            outlined!(simd, self.draw(simd, &mut rows));
             let kind = shader.count(index, square.pixels, scratch, self.counts);
             self.finish(kind, 1, shader.face());
             return true;
