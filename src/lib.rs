@@ -70,7 +70,7 @@
 //! ```
 //!
 //! Let w be proportional to 1 / depth. The product of w and a quantity that is linear on the face is affine in the pixel
-//! ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). Two of the modes use this:
+//! ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). Gouraud and Phong use this, unit vectors do not:
 //!
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
@@ -97,8 +97,8 @@
 //! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
 //! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
 //! derivatives and so the interpolation error. Terms that fit into the rest of the tolerance are dropped
-//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters,
-//! provided that their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel.
+//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters if
+//! their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel.
 //! [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the

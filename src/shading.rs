@@ -12,7 +12,7 @@
 //!         draw each quarter
 //!     else:
 //!         evaluate the model at every pixel, in f32 where its rounding error keeps the tolerance, else in f64
-//!         evaluate a pixel again in f64 if f32 cannot decide the sign of n.l, or if s < 1/256 and 0 < rho < 1
+//!         evaluate a pixel again in f64 if f32 cannot decide the sign of n.l, or if |s| < 1/256 and 0 < rho < 1
 //! ```
 //! [`lights`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
 //! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
@@ -60,7 +60,7 @@ use serde::Serialize;
 /// Unit round-off of f32: half the distance from 1 to the next float.
 pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 
-/// The largest error at tolerance 0, which the contract calls exact, in levels.
+/// The largest error at tolerance 0, in levels.
 pub const EXACT: f64 = 0.05;
 
 /// The largest permitted error of a pixel, in levels: the tolerance, or [`EXACT`] where that is 0.

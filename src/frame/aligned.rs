@@ -3,8 +3,8 @@
 use std::collections::TryReserveError;
 use std::ops::Range;
 
-/// Bytes of a line of the cache. A store of sixteen pixels that crosses from one line into the next costs two: frames of
-/// bench-close that start within a line take 4 % longer with Phong shading and 9 % with Gouraud shading (tolerance 0.5).
+/// Bytes of a line of the cache. A store of sixteen pixels that crosses from one line into the next costs two. With
+/// unaligned buffers bench-close takes 4 % longer with Phong shading and 9 % with Gouraud shading (tolerance 0.5).
 const LINE: usize = 64;
 
 /// Elements of which the first lies at the start of a line.

@@ -82,7 +82,7 @@ impl<'a> Band<'a> {
     }
 
     /// Restores the background of some rows where the last frame drew, except in one run of each row that the next frame
-    /// overwrites. The faces of a convex body meet without gaps, so that run is all of the body.
+    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is its whole row.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>) {
         let pixel = display_pixel(self.background.to_array());

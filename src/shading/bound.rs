@@ -51,7 +51,8 @@
 //! `proofs/theorems` has Coq proofs of these theorems. `proofs/README.md` lists the steps that are done by hand.
 //!
 //! Four squares are bounded at a time, each independently of the others. NaN or infinity means that there is no bound. min
-//! and max may drop a NaN. They are used only where the other operand is a bound by itself, or the NaN also enters a sum.
+//! and max may return the other operand for a NaN. That is safe here: that operand is a bound by itself, or a sum keeps the
+//! NaN.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -74,13 +75,13 @@ pub fn direction<S: Simd>([p, q]: [f64x4<S>; 2]) -> [f64x4<S>; 3] {
     [p, second, third]
 }
 
-/// Bounds on those of the half-turn about a unit vector.
+/// Bounds on the first three derivatives of the half-turn about a unit vector.
 #[inline(always)]
 pub fn half_turn<S: Simd>([p, q]: [f64x4<S>; 2]) -> [f64x4<S>; 3] {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
-/// Bounds on those of a product whose factors are at most one (Leibniz).
+/// Bounds on the first three derivatives of a product whose factors are at most one (Leibniz).
 #[inline(always)]
 pub fn product<S: Simd>(a: [f64x4<S>; 3], b: [f64x4<S>; 3]) -> [f64x4<S>; 3] {
     [
@@ -123,8 +124,8 @@ pub fn side<S: Simd>(
     (cosine, bounded & lit, bounded & dark)
 }
 
-/// The largest and the least s = o.r on the square, which are at most 1, and the largest sine of the angle between o and r,
-/// which is a bound where all directions are bounded.
+/// Bounds on the square: the largest and the least s = o.r, which are at most 1, and the largest sine of the angle between o
+/// and r. The sine is bounded only where all directions are.
 ///
 /// r turns twice as far as n, and as far as l.
 #[inline(always)]
@@ -148,13 +149,12 @@ pub fn reflection<S: Simd>(
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
     // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. So, theta being the
     // angle at the middle,
-    //   sin(theta) <= t - t^3 / 6 and s > 0:   theta may be within t, and s may reach 1; where t - t^3 / 6 < sin(theta) <= sin(t),
-    //                                          the next line gives more than 1 and is cut there
-    //   sin(theta) >  t - t^3 / 6 and s > 0:   cos(theta - t) <= s - s t^2 / 2 + sin(theta) t, as sin(theta) (t - sin(t)) > t^4 / 24
+    //   sin(theta) <= t - t^3 / 6 and s > 0:   theta <= t, so s may reach 1
+    //   sin(theta) >  t - t^3 / 6 and s > 0:   cos(theta - t) <= s - s t^2 / 2 + sin(theta) t, as sin(theta) (t - sin(t)) > t^4 / 24;
+    //                                          if sin(theta) <= sin(t), this is more than 1, and is limited to 1
     //   s <= 0:                                the same, as s cos(t) <= s (1 - t^2 / 2)
     //   always:                                cos(theta + t) >= s - |s| t^2 / 2 - sin(theta) t, at most -1 if theta + t > pi
     let turn2 = turn * turn;
-    let drop = s.abs() * turn2;
     let one = f64x4::splat(simd, 1.0);
     let reached = sine.simd_le(turn * (1.0 - turn2 * (1.0 / 6.0))) & s.simd_gt(0.0);
     let beyond = s - s * turn2 * 0.5 + sine * turn;
@@ -163,7 +163,7 @@ pub fn reflection<S: Simd>(
     let bounded =
         normal.is_direction_bounded() & light.is_direction_bounded() & eye.is_direction_bounded();
     let narrow = bounded & turn.simd_lt(std::f64::consts::FRAC_PI_2);
-    let least = s - drop * 0.5 - sine * turn;
+    let least = s - s.abs() * turn2 * 0.5 - sine * turn;
     [
         narrow.select(most, one),
         narrow.select(least, -one),

@@ -7,7 +7,7 @@ use fearless_simd::{Simd, f32x16, u32x16};
 
 use crate::simd::three;
 
-/// The contract's display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
+/// The display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
 pub fn display_step(level: f64) -> u8 {
     let positive = if level > 0.0 { level } else { 0.0 };
     (positive.min(255.0) + 0.5).floor() as u8
@@ -22,8 +22,9 @@ pub fn display_pixel(levels: [f64; 3]) -> u32 {
 /// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
 const INTEGERS: f32 = 8_388_608.0;
 
-/// The display step of levels in f32, the byte in the low bits and the rest as in [`INTEGERS`]. Saturating casts would keep
-/// loops from being vectorised. Halves are rounded up, and so is the float just below a half that follows an odd integer.
+/// The display step of levels in f32. The low byte is the result, and the other bits are those of [`INTEGERS`]. Saturating casts
+/// would keep loops from being vectorised. The next larger float is rounded, so that halves are rounded up. The float just below
+/// a half becomes that half, so after an odd integer it is rounded up, too.
 #[inline(always)]
 pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
     let simd = level.token();
@@ -37,7 +38,7 @@ pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
 /// The display step of three channels as 0x00RRGGBB.
 #[inline(always)]
 pub(super) fn display<S: Simd>(levels: [f32x16<S>; 3]) -> u32x16<S> {
-    // All bits above the byte are equal for red, green and blue, and are shifted or masked out.
+    // The bits above each byte are shifted or masked out.
     let [red, green, blue] = three!(|channel| display_bits(levels[channel]));
     (red << 16) | (green << 8) | (blue & 0xff)
 }

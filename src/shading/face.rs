@@ -172,9 +172,9 @@ impl<'a> Face<'a> {
 
     /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
     ///
-    /// The affine part of w (L - O) - H d: the terms of second order vanish, for w and d move only where O and H stay. Its
-    /// component across the face is w times the light's height above the face, which is taken from the nearer of the two
-    /// places: an ulp above the face is above it.
+    /// The affine part of w (L - O) - H d. The terms of second order vanish, because w and d change only where O and H do not.
+    /// Its component across the face is w times the light's height above the face. The height is computed from the nearer of
+    /// the two places, so that a light one ulp above the face has a positive height.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
         // The rays start at the eye, or on the plane through it, so the centre of `from` is 0.
         let (from, d) = (&self.rays.start, &self.rays.direction);

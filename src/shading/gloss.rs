@@ -29,7 +29,7 @@ pub struct Gloss {
     pub least: f64,
     /// The error of one highlight that is not drawn, in levels.
     pub faint: f64,
-    /// Where s is smaller than this, its power is evaluated in f64.
+    /// Where |s| is smaller than this, its power is evaluated in f64.
     pub doubt: f32,
     /// The steepest slope of s^rho in |r - o|, elsewhere.
     steepest: f64,

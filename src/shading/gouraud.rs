@@ -73,7 +73,7 @@ impl TileColors {
 ///   numerator                          6     a term: stored, 2 for its place, product, 2 sums
 ///   w                              3 x 6     6 roundings of w, which is at most 1.5, over the smallest w, 1/2
 ///   division                           2     a reciprocal and a product
-///   diagonal                       2 x 6     another: pixels on its wrong side, where colours differ by up to 2
+///   diagonal                       2 x 6     pixels on its wrong side, where the triangles differ by up to 2
 ///   all that over the smallest w     x 2     1/2
 ///   display                            4     two at the size of a level; the byte may be that of the next float
 /// ```
@@ -124,8 +124,7 @@ impl<'a> Gouraud<'a> {
         for triangle in 0..2 {
             for [color, right, down] in colors[triangle] {
                 let most = color.abs() + right.abs() + down.abs();
-                let known = most.simd_le(largest) | !meets[triangle];
-                largest = known.select(largest, most);
+                largest = largest.max(meets[triangle].select(most, zero));
             }
         }
         let shortest = 1.0 - e.abs() - g.abs();

@@ -10,7 +10,7 @@
 //! nine samples. Otherwise the same lights are evaluated at its pixels. Samples and pixels share one function, whose rounding
 //! errors [`super::rounding`] counts. For unit vectors 1 - s equals |r - o|^2 / 2, which loses no digits (Lyon 1993).
 //!
-//! f32 does not suffice where the sign of n.l is in doubt, because a highlight jumps there, and where s < 1/256 and
+//! f32 does not suffice where the sign of n.l is in doubt, because a highlight jumps there, and where |s| < 1/256 and
 //! 0 < rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
 //! again in f64. Without these marks the whole square would be evaluated in f64.
 //!
@@ -43,7 +43,7 @@ pub struct TileLight {
     pub shines: u64,
     /// Where n.l may change its sign and its highlight is not drawn. An interpolated square may have one such light.
     pub crosses: u64,
-    /// w (L - P).
+    /// w (L - P), scaled to length one at the middle of each square.
     pub vector: [[[f32; 4]; 3]; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
     pub doubt: [f32; 4],
@@ -53,6 +53,7 @@ pub struct TileLight {
 #[derive(Clone, Debug, Default)]
 pub struct TileLights {
     pub lights: Vec<TileLight>,
+    /// w n and w (O - P), scaled likewise.
     pub normal: [[[f32; 4]; 3]; 3],
     pub eye: [[[f32; 4]; 3]; 3],
     /// Where any highlight is drawn.
@@ -94,8 +95,8 @@ impl Phong<'_> {
         drawn.all(|on| on.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
-    /// Classifies the lights on four squares. Returns the budget of each square: the tolerance less all bounded errors, at
-    /// most 0 where an error has no bound; and the set of squares whose quarters are worth trying.
+    /// Classifies the lights on four squares. Returns the budget of each square, which is the tolerance minus all error bounds,
+    /// and at most 0 where an error has no bound. Also returns the set of squares whose quarters are worth trying.
     #[inline(always)]
     fn classify<S: Simd>(
         &self,

@@ -41,9 +41,8 @@ pub const CHORD: f64 = 50.0;
 ///   sum                         2 + terms   coefficient and product of each term, and each sum, at the largest sum
 ///   display                     3           stored in f32; the byte may be that of the next float
 /// ```
-/// The rounding of f64 in the vectors at the middle is not counted. Very far from the
-/// cuboid it can exceed the tolerance: with a shininess of 1e5 and a tolerance of 1e-4, for example, from an eye 1e7 sizes
-/// away on.
+/// The rounding of f64 in the vectors at the middle is not counted. Very far from the cuboid it can exceed the tolerance, for
+/// example with a shininess of 1e5 and a tolerance of 1e-4, if the eye is more than 1e7 sizes away.
 pub struct Rounding<S: Simd> {
     /// Direction errors of n and o.
     normal: f64x4<S>,

@@ -48,7 +48,7 @@ impl<'a> Surface<'a> {
             .count()
     }
 
-    /// The illumination model (Phong 1975, as the contract writes it) at `offset` from the centre, with unit normal and
+    /// The illumination model (Phong 1975, see the [crate]) at `offset` from the centre, with unit normal and
     /// unit vector to the eye; in levels, unclamped.
     pub fn levels(&self, offset: DVec3, normal: DVec3, to_eye: DVec3) -> DVec3 {
         self.sum(normal, to_eye, |light| {

@@ -1,7 +1,7 @@
 //! The assignment's shortcut: unit n, l and o of the vertices, interpolated linearly on the screen, not renormalised.
 //!
-//! Let e_i be the weights of a triangle's vertices at a point of the face, and w_i the depths of the vertices. The weights
-//! e_i w_i / sum(e_j w_j) are linear on the screen. A vertex nearer than the near plane has no place on the screen; the vectors
+//! Let e_i be the weights of a triangle's vertices at a point of the face, and z_i the depths of the vertices. The weights
+//! e_i z_i / sum(e_j z_j) are linear on the screen. A vertex nearer than the near plane has no place on the screen; the vectors
 //! of its triangle are interpolated with e_i, perspective-correctly, as everything else is.
 //!
 //! This is its definition, evaluated in f64 at every pixel. It shows the error of the shortcut; its time is not tuned.
@@ -26,7 +26,7 @@ pub struct UnitVectors<'a> {
     to_eye: [DVec3; 4],
     /// Unit l there, of each light.
     to_lights: &'a [[DVec3; 4]],
-    /// By triangle: from u, v and 1 to the weights of its corners, times the w_i where it has them.
+    /// By triangle: from u, v and 1 to the weights of its corners, times the z_i where it has them.
     weights: [DMat3; 2],
 }
 
@@ -46,7 +46,7 @@ impl<'a> UnitVectors<'a> {
             let light = light.position - lens.eye;
             corners.map(|corner| unit(light - corner))
         }));
-        // w of the corners on the screen, where they have a place there.
+        // The depths of the corners on the screen, where they have a place there.
         let depths = corners.map(|corner| {
             let depth = lens.axes[2].dot(corner);
             (depth >= lens.near).then_some(match lens.projection {

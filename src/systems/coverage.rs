@@ -107,8 +107,9 @@ pub fn covered<S: Simd>(
 ) -> [u32; SMALL] {
     const LANES: [i32; SMALL] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
     let lanes = i32x16::simd_from(simd, LANES);
-    // Twice the area of a pixel's centre and an edge: not negative inside, and positive if the edge is right or below. From
-    // the centre of the first pixel no number exceeds 2^26.
+    // Twice the signed area of the triangle of a pixel's centre and an edge. It is not negative inside. On a right or bottom
+    // edge 1 is subtracted, so that the edge itself is outside. Coordinates are from the centre of the first pixel, so no
+    // number exceeds 2^26.
     let edge = inlined!(|from: usize, to: usize| {
         let at = |corner: usize, axis: usize| corners[corner][axis] - 256 * first[axis] - 128;
         let [x, y] = [at(from, 0), at(from, 1)];

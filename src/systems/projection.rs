@@ -34,7 +34,8 @@ pub fn project(place: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut
     });
     let eye_side = match lens.projection {
         Projection::Perspective => axes.transpose() * -centre,
-        // The eye is infinitely far away, opposite to the view direction.
+        // The eye is infinitely far away, opposite to the view direction. 0 * infinity is NaN, which is in front of no face:
+        // a face seen edge-on is not drawn.
         Projection::Orthographic => axes.transpose() * -lens.axes[2] * f64::INFINITY,
     };
     let frustum = Frustum::new(lens, axes, centre);

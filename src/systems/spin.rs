@@ -1,4 +1,4 @@
-//! Turns every cuboid by the angle of the view. Its axes are computed here, once per frame.
+//! Computes the position and the axes of every cuboid, turned by the angle of the view.
 
 use hecs::World;
 
