@@ -79,8 +79,6 @@ impl<S: Simd> Field<S> {
         let [right, down] = [vector.dx, vector.dy];
         let [right_length, down_length] = two!(|axis| steps[axis] * length([right, down][axis]));
         let radius = right_length + down_length;
-        // One over the least length of the vector.
-        let most = 1.0 / (1.0 - radius);
         let parallelogram = steps[0] * steps[1] * length(right.cross(down));
         let middle = three!(|axis| middle[axis] * inverse);
         let [right, down] = [
@@ -88,11 +86,14 @@ impl<S: Simd> Field<S> {
             three!(|axis| steps[1] * down[axis]),
         ];
         let along = [dot(&middle, &right), dot(&middle, &down)];
+        // Only changes along the middle make it shorter.
+        let shortest = 1.0 - along[0].abs() - along[1].abs();
+        let inverse = 1.0 / shortest;
         // |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
         let rates = inlined!(|along: f64x4<S>, length: f64x4<S>| {
             let cross = positive(length * length - along * along).sqrt() + parallelogram;
-            let q = length * most;
-            let p = (cross + length * CROSS_ERROR) * most * most;
+            let q = length * inverse;
+            let p = (cross + length * CROSS_ERROR) * inverse * inverse;
             [p.min(q), q]
         });
         Field {
@@ -100,8 +101,7 @@ impl<S: Simd> Field<S> {
             right,
             down,
             radius,
-            // Only changes along the middle make it shorter.
-            shortest: 1.0 - along[0].abs() - along[1].abs(),
+            shortest,
             rates: [rates(along[0], right_length), rates(along[1], down_length)],
         }
     }
