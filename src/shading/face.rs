@@ -200,7 +200,8 @@ impl<'a> Face<'a> {
     /// Where w is larger than this the face is steady, that is, not a sliver: no centre of a covered pixel lies further outside
     /// it than by [`OVERSHOOT`].
     pub fn least_steady(&self) -> f64 {
-        self.uv_gradient / (1024.0 * OVERSHOOT)
+        // Snapping moves a vertex by at most 1/512 pixel, and u and v are 2 apart on a face.
+        self.uv_gradient / (2.0 * 512.0 * OVERSHOOT)
     }
 
     /// Whether it is steady where w is at least `least`.

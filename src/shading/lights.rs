@@ -63,10 +63,10 @@ pub struct TileLights {
 }
 
 impl TileLights {
-    /// The number of highlights that are evaluated at a pixel of a square in f32, if f32 keeps the tolerance there.
-    pub fn highlights(&self, index: usize) -> Option<usize> {
+    /// The number of highlights that are evaluated at a pixel of a square in f32.
+    pub fn highlights(&self, index: usize) -> usize {
         let drawn = self.lights.iter().filter(|on| on.shines >> index & 1 == 1);
-        (self.in_f32 >> index & 1 == 1).then(|| drawn.count())
+        drawn.count()
     }
 }
 

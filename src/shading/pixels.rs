@@ -14,7 +14,7 @@ use crate::simd::{three, two};
 const MOST: usize = MAX_SIDE * MAX_SIDE + 16;
 
 /// Pixels of one square in a band.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct Pixels {
     pub count: usize,
     /// Right and down from the square's middle, in pixels.

@@ -63,7 +63,7 @@ impl Shader<'_> {
         index: usize,
         scratch: &mut Scratch,
     ) -> bool {
-        let in_f32 = self.highlights(index, scratch).is_some();
+        let in_f32 = self.in_f32(index, scratch);
         let (pixels, tile, colors) = (&mut scratch.pixels, &scratch.tile, &scratch.colors);
         if in_f32 {
             let levels = inlined!(|place| self.levels(simd, (tile, colors), index, place));
@@ -87,11 +87,12 @@ impl Shader<'_> {
         index: usize,
         scratch: &Scratch,
     ) -> Option<impl Rows<S>> {
-        self.highlights(index, scratch)?;
         let (tile, colors) = (&scratch.tile, &scratch.colors);
-        if let Shader::Phong(phong) = self
-            && !phong.has_signs(tile, index)
-        {
+        let has_signs = match self {
+            Shader::Phong(phong) => phong.has_signs(tile, index),
+            _ => true,
+        };
+        if !has_signs || !self.in_f32(index, scratch) {
             return None;
         }
         let levels = inlined!(move |place| self.levels(simd, (tile, colors), index, place));
@@ -117,13 +118,14 @@ impl Shader<'_> {
         }
     }
 
-    /// The number of highlights evaluated at a pixel of the square at `index` in f32, if f32 keeps the tolerance there.
-    fn highlights(&self, index: usize, scratch: &Scratch) -> Option<usize> {
-        match self {
-            Shader::Gouraud(_) => (scratch.colors.in_f32 >> index & 1 == 1).then_some(0),
-            Shader::Phong(_) => scratch.tile.highlights(index),
-            Shader::UnitVectors(_) => None,
-        }
+    /// Whether levels in f32 keep the tolerance on the square at `index`.
+    fn in_f32(&self, index: usize, scratch: &Scratch) -> bool {
+        let squares = match self {
+            Shader::Gouraud(_) => scratch.colors.in_f32,
+            Shader::Phong(_) => scratch.tile.in_f32,
+            Shader::UnitVectors(_) => 0,
+        };
+        squares >> index & 1 == 1
     }
 
     /// Counts pixels that were evaluated on the square at `index`, and returns how.
@@ -134,15 +136,20 @@ impl Shader<'_> {
         scratch: &Scratch,
         counts: &mut Counts,
     ) -> TileKind {
-        let highlights = self.highlights(index, scratch);
+        let in_f32 = self.in_f32(index, scratch);
         let (model, powers) = match self {
             Shader::Gouraud(_) => (0, 0),
+            Shader::Phong(_) if in_f32 => (1, scratch.tile.highlights(index)),
             Shader::Phong(phong) => (1, phong.surface.powers()),
             Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
         };
         counts.model_evaluations += model * pixels as u64;
-        counts.specular_evaluations += (pixels * highlights.unwrap_or(powers)) as u64;
-        highlights.map_or(TileKind::Double, |_| TileKind::Exact)
+        counts.specular_evaluations += (pixels * powers) as u64;
+        if in_f32 {
+            TileKind::Exact
+        } else {
+            TileKind::Double
+        }
     }
 
     /// The levels that the mode defines, in f64, `x` pixels right and `y` pixels down of the picture's middle.
