@@ -78,9 +78,9 @@ pub enum TileKind {
     /// A biquadratic colour plus max(0, n.l) of one light, n.l being another biquadratic; certified.
     Terminator,
     /// The model at every pixel, in f32; in f64 at pixels where f32 does not suffice.
-    Exact,
+    PerPixel,
     /// The model at every pixel, in f64.
-    Double,
+    PerPixelF64,
 }
 
 impl TileKind {
@@ -89,8 +89,8 @@ impl TileKind {
         TileKind::Linear,
         TileKind::Quadratic,
         TileKind::Terminator,
-        TileKind::Exact,
-        TileKind::Double,
+        TileKind::PerPixel,
+        TileKind::PerPixelF64,
     ];
 
     /// Its name in panels and reports.

@@ -39,7 +39,7 @@ pub(crate) struct DrawList {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Object {
     pub material: Material,
-    pub place: WorldTransform,
+    pub transform: WorldTransform,
     /// Half its edges, in world units.
     pub half: DVec3,
     pub mode: ShadingMode,

@@ -101,7 +101,7 @@ impl DrawnPixel {
     /// The evaluations of the model in the square of the pixel.
     pub fn cost(&self) -> String {
         let (kind, within) = (self.kind.name(), self.tolerance);
-        let is_evaluated = matches!(self.kind, TileKind::Exact | TileKind::Double);
+        let is_evaluated = matches!(self.kind, TileKind::PerPixel | TileKind::PerPixelF64);
         match (self.mode, is_evaluated) {
             (ShadingMode::Gouraud, true) => {
                 "No evaluation of the model: the levels of three vertices, interpolated at \

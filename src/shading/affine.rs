@@ -1,11 +1,11 @@
-//! Affine functions of a place: of a pixel (x to the right and y down, in pixels from the middle of the picture) or of a
+//! Affine functions of a position: of a pixel (x to the right and y down, in pixels from the middle of the picture) or of a
 //! point of a face (u and v).
 
 use std::ops::{Add, Mul};
 
 use glam::DVec3;
 
-/// A vector or a number that is an affine function of the place: `centre + dx * x + dy * y`.
+/// A vector or a number that is an affine function of the position: `centre + dx * x + dy * y`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affine<T = DVec3> {
     /// The value at the middle.
@@ -17,7 +17,7 @@ pub struct Affine<T = DVec3> {
 }
 
 impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Affine<T> {
-    /// The value at a place.
+    /// The value at a position.
     #[inline]
     pub fn at(&self, x: f64, y: f64) -> T {
         self.centre + self.dx * x + self.dy * y

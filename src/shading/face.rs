@@ -51,16 +51,16 @@ impl Rays {
 
 /// The outward unit normal of a face, w and H. `half` are half the cuboid's edges, in world units.
 fn plane(
-    number: usize,
-    place: &WorldTransform,
+    index: usize,
+    transform: &WorldTransform,
     half: DVec3,
     rays: &Rays,
 ) -> (DVec3, Affine<f64>, Affine<f64>) {
-    let across = number / 2;
-    let sign = if number.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let outwards = place.axes.col(across) * sign;
+    let across = index / 2;
+    let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let outwards = transform.axes.col(across) * sign;
     let height = Affine {
-        centre: outwards.dot(-(place.position - rays.lens.eye)) - half[across],
+        centre: outwards.dot(-(transform.position - rays.lens.eye)) - half[across],
         ..rays.start.map(|o| outwards.dot(o))
     };
     (outwards, rays.direction.map(|d| -outwards.dot(d)), height)
@@ -68,8 +68,8 @@ fn plane(
 
 /// 1 / depth of a face in perspective, minus its depth in orthographic projection: affine on the screen, and grows towards
 /// the eye. Depth is in world units along the view direction.
-pub fn nearness(number: usize, place: &WorldTransform, half: DVec3, rays: &Rays) -> Affine<f64> {
-    let (_, w, height) = plane(number, place, half, rays);
+pub fn nearness(index: usize, transform: &WorldTransform, half: DVec3, rays: &Rays) -> Affine<f64> {
+    let (_, w, height) = plane(index, transform, half, rays);
     match rays.lens.projection {
         Projection::Perspective => w.map(|w| w / height.centre),
         Projection::Orthographic => height.map(|h| h / -w.centre),
@@ -88,14 +88,14 @@ const SNAPPING: f64 = 1.0 / 256.0;
 pub struct Face<'a> {
     pub rays: &'a Rays,
     /// As [`FACES`] counts.
-    pub number: usize,
+    pub index: usize,
     /// The unit normal, on the side that is seen.
     outwards: DVec3,
     /// w and H.
     pub w: Affine<f64>,
     height: Affine<f64>,
     /// u, v and 1, times w: from -1 to 1 along the face's axes.
-    pub place: Affine,
+    pub uvw: Affine,
     /// w times twice the weight of the corner across the diagonal: positive on the first triangle, minus the other's on the
     /// second.
     pub diagonal: Affine<f64>,
@@ -106,43 +106,44 @@ pub struct Face<'a> {
     /// The face's middle from the eye, and half its edges.
     middle: DVec3,
     half_edges: [DVec3; 2],
-    /// The places of its corners in the order of [`FACES`].
+    /// (u, v) of its corners in the order of [`FACES`].
     corners: [[f64; 2]; 4],
 }
 
 impl<'a> Face<'a> {
-    /// Face `number` of a cuboid, as [`FACES`] counts, on the side that is seen. `half` are half the cuboid's edges, in world
+    /// Face `index` of a cuboid, as [`FACES`] counts, on the side that is seen. `half` are half the cuboid's edges, in world
     /// units.
-    pub fn new(number: usize, place: &WorldTransform, half: DVec3, rays: &'a Rays) -> Self {
-        let axis = number / 2;
+    pub fn new(index: usize, transform: &WorldTransform, half: DVec3, rays: &'a Rays) -> Self {
+        let axis = index / 2;
         let along = [(axis + 1) % 3, (axis + 2) % 3];
-        let (outwards, w, height) = plane(number, place, half, rays);
-        let corners = places(number);
-        let centre = place.position - rays.lens.eye;
+        let (outwards, w, height) = plane(index, transform, half, rays);
+        let corners = corner_uvs(index);
+        let centre = transform.position - rays.lens.eye;
         let mut face = Face {
             rays,
-            number,
+            index,
             outwards,
             w,
             height,
-            place: Affine::default(),
+            uvw: Affine::default(),
             diagonal: Affine::default(),
             uv_gradient: 0.0,
             half_height: half[axis],
             middle: centre + outwards * half[axis],
-            half_edges: along.map(|axis| place.axes.col(axis) * half[axis]),
+            half_edges: along.map(|axis| transform.axes.col(axis) * half[axis]),
             corners,
         };
         let to_centre = face.towards(centre, DVec3::ZERO);
-        let [u, v] = along.map(|axis| to_centre.map(|c| -place.axes.col(axis).dot(c) / half[axis]));
-        face.place = Affine {
+        let [u, v] =
+            along.map(|axis| to_centre.map(|c| -transform.axes.col(axis).dot(c) / half[axis]));
+        face.uvw = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
             dx: DVec3::new(u.dx, v.dx, w.dx),
             dy: DVec3::new(u.dy, v.dy, w.dy),
         };
         let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
         face.uv_gradient = moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy);
-        face.diagonal = face.place.map(|place| face.across([place.x, place.y]));
+        face.diagonal = face.uvw.map(|it| face.across([it.x, it.y]));
         face
     }
 
@@ -151,7 +152,7 @@ impl<'a> Face<'a> {
     /// rounded away.
     pub fn interpolate(&self, values: &[DVec3; 8], triangle: usize) -> Affine {
         let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
-        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.number][corner])]);
+        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.index][corner])]);
         let signs = corners.map(|corner| self.corners[corner]);
         let half = |axis: usize| {
             let [from, middle, to] = signs.map(|signs| signs[axis]);
@@ -160,21 +161,21 @@ impl<'a> Face<'a> {
         Affine::new((a + c) / 2.0, half(0), half(1))
     }
 
-    /// The value at a place of what has these values at the cuboid's eight corners and is linear on each triangle of the face.
+    /// The value at a point of what has these values at the cuboid's eight corners and is linear on each triangle of the face.
     ///
     /// On an edge the weight of the corner opposite is exactly 0, so a very large value there does not round the others away.
     pub fn blend(&self, values: &[DVec3; 8], [u, v]: [f64; 2]) -> DVec3 {
-        let [a, b, c, d] = FACES[self.number].map(|corner| values[usize::from(corner)]);
+        let [a, b, c, d] = FACES[self.index].map(|corner| values[usize::from(corner)]);
         let third = if self.across([u, v]) < 0.0 { d } else { b };
         let (least, most) = (u.min(v), u.max(v));
         (a * (1.0 - most) + third * (most - least) + c * (1.0 + least)) / 2.0
     }
 
-    /// w times the vector to a light, whose place is given from the eye and from the cuboid's centre, in world units.
+    /// w times the vector to a light, whose position is given from the eye and from the cuboid's centre, in world units.
     ///
     /// The affine part of w (L - O) - H d. The terms of second order vanish, because w and d change only where O and H do not.
     /// Its component across the face is w times the light's height above the face. The height is computed from the nearer of
-    /// the two places, so that a light one ulp above the face has a positive height.
+    /// the two positions, so that a light one ulp above the face has a positive height.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
         // The rays start at the eye, or on the plane through it, so the centre of `from` is 0.
         let (from, d) = (&self.rays.start, &self.rays.direction);
@@ -209,26 +210,26 @@ impl<'a> Face<'a> {
         least > self.least_steady()
     }
 
-    /// The place (u, v) that the pixel at `x`, `y` shows, and whether it was clamped to the face. Only places beside a sliver
+    /// The point (u, v) that the pixel at `x`, `y` shows, and whether it was clamped to the face. Only points beside a sliver
     /// are clamped.
-    pub fn place_at(&self, x: f64, y: f64) -> ([f64; 2], bool) {
-        let DVec3 { x: u, y: v, z: w } = self.place.at(x, y);
-        let place = [u / w, v / w];
-        let is_on = w > 0.0 && place.iter().all(|u| u.abs() <= 1.0);
+    pub fn uv_at(&self, x: f64, y: f64) -> ([f64; 2], bool) {
+        let DVec3 { x: u, y: v, z: w } = self.uvw.at(x, y);
+        let uv = [u / w, v / w];
+        let is_on = w > 0.0 && uv.iter().all(|u| u.abs() <= 1.0);
         if is_on || self.is_steady(w) {
-            (place, false)
+            (uv, false)
         } else {
             (self.clamp(x, y), true)
         }
     }
 
-    /// The place on the face that a line of sight beside it shows.
+    /// The point of the face that a line of sight beside it shows.
     ///
     /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye. As the line of
     /// sight turns towards the plane, w grows and the point moves from infinity to the foot. Snapping may show a pixel whose
     /// line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far end.
     fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
-        let (place, w) = (self.place.at(x, y), &self.w);
+        let (uvw, w) = (self.uvw.at(x, y), &self.w);
         let along = self.rays.direction.at(x, y) * self.height.at(x, y);
         let [u, v] = self.half_edges.map(|half| {
             let [foot, step] = [-self.middle, along].map(|v| v.dot(half) / half.length_squared());
@@ -237,22 +238,22 @@ impl<'a> Face<'a> {
         });
         let end = f64::max(u.2, v.2);
         let turned = SNAPPING * w.dx.hypot(w.dy);
-        // Beyond the horizon every place is infinitely far.
-        let least = if place.z > 0.0 { place.z } else { 0.0 };
+        // Beyond the horizon every point is infinitely far.
+        let least = if uvw.z > 0.0 { uvw.z } else { 0.0 };
         // Never in orthographic projection: w is the same everywhere, so `turned` is 0.
-        if end > least && end - place.z <= turned {
+        if end > least && end - uvw.z <= turned {
             return [u, v].map(|(foot, step, _)| (foot + step / end).clamp(-1.0, 1.0));
         }
         let on = |u: f64| if u.is_nan() { 0.0 } else { u.clamp(-1.0, 1.0) };
-        [on(place.x / least), on(place.y / least)]
+        [on(uvw.x / least), on(uvw.y / least)]
     }
 
-    /// A place on the face, from the eye, in world units.
+    /// A point of the face, from the eye, in world units.
     pub fn from_eye(&self, [u, v]: [f64; 2]) -> DVec3 {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
     }
 
-    /// Whether N.L < 0 between the normal at any corner and the vector from any corner to a light, whose place is given from
+    /// Whether N.L < 0 between the normal at any corner and the vector from any corner to a light, whose position is given from
     /// the eye.
     ///
     /// N and L are combinations, with weights that are nowhere negative, of their values at the corners of a face that is
@@ -274,8 +275,8 @@ impl<'a> Face<'a> {
     }
 }
 
-/// The places of a face's corners on it, in the order of [`FACES`].
-pub fn places(number: usize) -> [[f64; 2]; 4] {
-    let along = [(number / 2 + 1) % 3, (number / 2 + 2) % 3];
-    FACES[number].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
+/// (u, v) of a face's corners, in the order of [`FACES`].
+pub fn corner_uvs(index: usize) -> [[f64; 2]; 4] {
+    let along = [(index / 2 + 1) % 3, (index / 2 + 2) % 3];
+    FACES[index].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
 }

@@ -19,14 +19,14 @@ pub const MAX_RADIUS: f64 = 0.5;
 /// whose radicand errs by at most 34 roundings: sqrt(34 2^-53) = 6.2e-8, `proofs/cross.g`.
 pub(super) const CROSS_ERROR: f64 = 1e-7;
 
-/// The places of four squares: their middles from the picture's middle, and half their extents, in pixels.
+/// Four squares: their middles from the picture's middle, and half their extents, in pixels.
 #[derive(Clone, Copy)]
-pub struct Places<S: Simd> {
+pub struct Extents<S: Simd> {
     pub middle: [f64x4<S>; 2],
     pub half: [f64x4<S>; 2],
 }
 
-impl<S: Simd> Places<S> {
+impl<S: Simd> Extents<S> {
     /// Those of four squares; their middles from `origin`, in pixels from the picture's corner.
     #[inline(always)]
     pub fn new(simd: S, [a, b, c, d]: &[Square; 4], origin: [f64; 2]) -> Self {
@@ -35,7 +35,7 @@ impl<S: Simd> Places<S> {
         });
         let middles = [a.middle(), b.middle(), c.middle(), d.middle()];
         let halves = [a.half(), b.half(), c.half(), d.half()];
-        Places {
+        Extents {
             middle: two!(|axis| lanes(middles, axis) - origin[axis]),
             half: two!(|axis| lanes(halves, axis)),
         }
@@ -44,7 +44,7 @@ impl<S: Simd> Places<S> {
     /// An affine number on the squares: its value at the middle, and its changes from there to the outermost covered pixel
     /// centres, right and down.
     #[inline(always)]
-    pub fn number(&self, [centre, dx, dy]: [f64; 3]) -> [f64x4<S>; 3] {
+    pub fn affine(&self, [centre, dx, dy]: [f64; 3]) -> [f64x4<S>; 3] {
         let [x, y] = self.middle;
         [
             x * dx + y * dy + centre,
@@ -71,11 +71,11 @@ pub struct Field<S: Simd> {
 impl<S: Simd> Field<S> {
     /// A vector on four squares. No coordinate exceeds 1e100, so neither products nor lengths leave the range of f64.
     #[inline(always)]
-    pub fn new(vector: &Affine, places: &Places<S>) -> Self {
-        let [x, y] = places.middle;
+    pub fn new(vector: &Affine, extents: &Extents<S>) -> Self {
+        let [x, y] = extents.middle;
         let middle = three!(|axis| x * vector.dx[axis] + y * vector.dy[axis] + vector.centre[axis]);
         let inverse = 1.0 / dot(&middle, &middle).sqrt();
-        let steps = two!(|axis| places.half[axis] * inverse);
+        let steps = two!(|axis| extents.half[axis] * inverse);
         let [right, down] = [vector.dx, vector.dy];
         let [right_length, down_length] = two!(|axis| steps[axis] * length([right, down][axis]));
         let radius = right_length + down_length;

@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::affine::Affine;
 use super::bound;
 use super::face::Face;
-use super::field::{Places, single};
+use super::field::{Extents, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
 use super::lanes::LaneLayout;
 use super::{U, limit};
@@ -42,15 +42,10 @@ pub struct TileColors {
 }
 
 impl TileColors {
-    /// w C / w at places on squares, x and y from -1 to 1.
+    /// w C / w at points of squares, x and y from -1 to 1.
     #[inline(always)]
-    pub fn levels<S: Simd>(
-        &self,
-        simd: S,
-        at: LaneLayout,
-        place: [f32x16<S>; 2],
-    ) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &[[f32; 4]; 3]| at.number(of, place));
+    pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        let affine = inlined!(|of: &[[f32; 4]; 3]| at.affine(of, xy));
         let inverse = 1.0 / affine(&self.w);
         let [first, second] = &self.colors;
         if !at.any(self.meets[1]) {
@@ -90,7 +85,7 @@ impl<'a> Gouraud<'a> {
             levels: *levels,
             colors: [0, 1].map(|triangle| {
                 let levels = face.interpolate(levels, triangle);
-                face.place.map(|it| levels.homogeneous(it.x, it.y, it.z))
+                face.uvw.map(|it| levels.homogeneous(it.x, it.y, it.z))
             }),
         }
     }
@@ -100,16 +95,16 @@ impl<'a> Gouraud<'a> {
     pub fn prepare<S: Simd>(
         &self,
         simd: S,
-        places: &Places<S>,
+        extents: &Extents<S>,
         interpolate: bool,
         tile: &mut TileColors,
     ) -> (Option<Interpolant<S>>, u64) {
-        let number = inlined!(|number: f64| f64x4::splat(simd, number));
-        let [middle, ..] = places.number(self.face.w.terms());
+        let splat = inlined!(|number: f64| f64x4::splat(simd, number));
+        let [middle, ..] = extents.affine(self.face.w.terms());
         let inverse = 1.0 / middle;
         let scaled = inlined!(|terms: [f64; 3]| {
-            let number = places.number(terms);
-            three!(|term| number[term] * inverse)
+            let affine = extents.affine(terms);
+            three!(|term| affine[term] * inverse)
         });
         let [_, e, g] = scaled(self.face.w.terms());
         let before = scaled(self.face.diagonal.terms());
@@ -119,7 +114,7 @@ impl<'a> Gouraud<'a> {
             let Affine { centre, dx, dy } = &self.colors[triangle];
             scaled([centre[channel], dx[channel], dy[channel]])
         }));
-        let zero = number(0.0);
+        let zero = splat(0.0);
         let mut largest = zero;
         for triangle in 0..2 {
             for [color, right, down] in colors[triangle] {
@@ -133,7 +128,7 @@ impl<'a> Gouraud<'a> {
         let bounded = steady & shortest.simd_gt(0.5);
         let rounding = largest * ROUNDING;
         *tile = TileColors {
-            w: single([number(1.0), e, g]),
+            w: single([splat(1.0), e, g]),
             before: single(before),
             colors: two!(|triangle| three!(|channel| single(colors[triangle][channel]))),
             meets: [meets[0].to_bitmask(), meets[1].to_bitmask()],
@@ -150,13 +145,13 @@ impl<'a> Gouraud<'a> {
         }
         let is_cut = meets[0] & meets[1];
         let budget = (bounded & !is_cut).select(
-            number(self.tolerance) - error - rounding * LEBESGUE,
-            number(-1.0),
+            splat(self.tolerance) - error - rounding * LEBESGUE,
+            splat(-1.0),
         );
         let terms = sampled(
             simd,
-            inlined!(|place| {
-                let [red, green, blue] = tile.levels(simd, LaneLayout::Nodes, place);
+            inlined!(|xy| {
+                let [red, green, blue] = tile.levels(simd, LaneLayout::Nodes, xy);
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
@@ -165,10 +160,10 @@ impl<'a> Gouraud<'a> {
         (Some(interpolant), 0b1111)
     }
 
-    /// See [`super::Shader::define`].
-    pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        let (place, _) = self.face.place_at(x, y);
-        self.face.blend(&self.levels, place)
+    /// See [`super::Shader::levels_f64`].
+    pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
+        let (uv, _) = self.face.uv_at(x, y);
+        self.face.blend(&self.levels, uv)
     }
 }
 

@@ -45,10 +45,10 @@ impl LaneLayout {
         }
     }
 
-    /// An affine number at places on the squares, x and y from -1 to 1. It is given for each square: its value at the middle,
+    /// An affine number at points of the squares, x and y from -1 to 1. It is given for each square: its value at the middle,
     /// and its changes from there to the outermost covered pixel centres, right and down.
     #[inline(always)]
-    pub fn number<S: Simd>(self, of: &[[f32; 4]; 3], [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
+    pub fn affine<S: Simd>(self, of: &[[f32; 4]; 3], [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
         let [middle, right, down] = three!(|term| self.lanes(x.token(), &of[term]));
         x * right + (y * down + middle)
     }

@@ -19,7 +19,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
-use super::field::{Field, Places};
+use super::field::{Extents, Field};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
 use super::lanes::{LaneLayout, dot};
 use super::phong::Phong;
@@ -76,11 +76,11 @@ impl Phong<'_> {
     pub fn prepare<S: Simd>(
         &self,
         simd: S,
-        places: &Places<S>,
+        extents: &Extents<S>,
         interpolate: bool,
         tile: &mut TileLights,
     ) -> (Option<Interpolant<S>>, u64) {
-        let (budget, promising) = self.classify(places, interpolate, tile);
+        let (budget, promising) = self.classify(extents, interpolate, tile);
         let interpolant = if budget.simd_gt(0.0).any_true() {
             Some(self.sample(simd, tile, budget))
         } else {
@@ -100,18 +100,18 @@ impl Phong<'_> {
     #[inline(always)]
     fn classify<S: Simd>(
         &self,
-        places: &Places<S>,
+        extents: &Extents<S>,
         interpolate: bool,
         tile: &mut TileLights,
     ) -> (f64x4<S>, u64) {
-        let [middle, right, down] = places.number(self.face.w.terms());
+        let [middle, right, down] = extents.affine(self.face.w.terms());
         let least = middle - right.abs() - down.abs();
         let simd = least.token();
         let number = inlined!(|number: f64| f64x4::splat(simd, number));
         let [zero, one] = [number(0.0), number(1.0)];
         let none = mask64x4::splat(simd, false);
-        let normal = Field::new(&self.normal, places);
-        let eye = Field::new(&self.face.rays.to_eye, places);
+        let normal = Field::new(&self.normal, extents);
+        let eye = Field::new(&self.face.rays.to_eye, extents);
         // Pixels of a sliver are clamped to the face, one by one.
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
@@ -123,7 +123,7 @@ impl Phong<'_> {
         tile.shines = 0;
         tile.lights.clear();
         for (index, light) in self.lights.iter().enumerate() {
-            let to_light = Field::new(&light.towards, places);
+            let to_light = Field::new(&light.towards, extents);
             let roundings = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::side(&normal, &to_light, roundings * U);
             if dark.all_true() {
@@ -190,7 +190,7 @@ impl Phong<'_> {
     #[inline(always)]
     fn sample<S: Simd>(&self, simd: S, tile: &TileLights, budget: f64x4<S>) -> Interpolant<S> {
         let zero = f64x4::splat(simd, 0.0);
-        let sample = inlined!(|place| self.levels(simd, tile, LaneLayout::Nodes, place));
+        let sample = inlined!(|xy| self.levels(simd, tile, LaneLayout::Nodes, xy));
         let terms = sampled(simd, sample);
         let mut crossing = [zero; 3];
         let mut crosses = mask64x4::splat(simd, false);
@@ -206,18 +206,18 @@ impl Phong<'_> {
         Interpolant::new(terms, crossing, crosses, budget)
     }
 
-    /// The levels at places on squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
+    /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
     #[inline(always)]
     pub fn levels<S: Simd>(
         &self,
         simd: S,
         tile: &TileLights,
         at: LaneLayout,
-        place: [f32x16<S>; 2],
+        xy: [f32x16<S>; 2],
     ) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
         let vector =
-            inlined!(|of: &[[[f32; 4]; 3]; 3]| { three!(|axis| at.number(&of[axis], place)) });
+            inlined!(|of: &[[[f32; 4]; 3]; 3]| { three!(|axis| at.affine(&of[axis], xy)) });
         let unit = inlined!(|vector: [f32x16<S>; 3]| {
             let inverse = 1.0 / dot(&vector, &vector).sqrt();
             three!(|axis| vector[axis] * inverse)

@@ -79,15 +79,15 @@ impl<'a> Phong<'a> {
             tolerance,
             ambient: surface.ambient().as_vec3().to_array(),
             normals,
-            normal: face.place.map(|it| normals.homogeneous(it.x, it.y, it.z)),
+            normal: face.uvw.map(|it| normals.homogeneous(it.x, it.y, it.z)),
         }
     }
 
-    /// See [`super::Shader::define`].
-    pub fn define(&self, x: f64, y: f64) -> DVec3 {
+    /// See [`super::Shader::levels_f64`].
+    pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         let face = self.face;
-        let ([u, v], is_clamped) = face.place_at(x, y);
-        // A clamped place is not where the line of sight through the pixel meets the plane.
+        let ([u, v], is_clamped) = face.uv_at(x, y);
+        // A clamped point is not where the line of sight through the pixel meets the plane.
         let point = face.from_eye([u, v]);
         let is_turned = is_clamped && face.rays.lens.projection == Projection::Perspective;
         let to_eye = if is_turned {

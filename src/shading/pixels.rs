@@ -18,7 +18,7 @@ const MOST: usize = MAX_SIDE * MAX_SIDE + 16;
 pub struct Pixels {
     pub count: usize,
     /// Right and down from the square's middle, in pixels.
-    places: [[f32; MOST]; 2],
+    offsets: [[f32; MOST]; 2],
     /// The indices in the buffers of the band.
     indices: [u32; MOST],
     /// A red level that is not a number marks a pixel that f32 does not suffice for.
@@ -31,7 +31,7 @@ impl Default for Pixels {
     fn default() -> Self {
         Pixels {
             count: 0,
-            places: [[0.0; MOST]; 2],
+            offsets: [[0.0; MOST]; 2],
             indices: [0; MOST],
             levels: [[0.0; MOST]; 3],
             marked: false,
@@ -49,14 +49,14 @@ impl Pixels {
         // Lanes beyond the last pixel are overwritten by the next.
         let new = self.count..self.count + 16;
         let right = counted(simd, 0) + x;
-        self.places[0][new.clone()].copy_from_slice(right.as_slice());
-        self.places[1][new.clone()].fill(y);
+        self.offsets[0][new.clone()].copy_from_slice(right.as_slice());
+        self.offsets[1][new.clone()].fill(y);
         let indices = u32x16::simd_from(simd, LANES) + index as u32;
         self.indices[new].copy_from_slice(indices.as_slice());
         self.count += count;
     }
 
-    /// Evaluates all pixels; the arguments of `evaluate` are places from -1 to 1 over the square of these half extents.
+    /// Evaluates all pixels; the arguments of `evaluate` are x and y from -1 to 1 over the square of these half extents.
     #[inline(always)]
     pub fn evaluate<S: Simd>(
         &mut self,
@@ -69,7 +69,7 @@ impl Pixels {
         for first in (0..self.count).step_by(16) {
             let lanes = first..first + 16;
             let levels = evaluate(two!(|axis| {
-                f32x16::from_slice(simd, &self.places[axis][lanes.clone()]) * scale[axis]
+                f32x16::from_slice(simd, &self.offsets[axis][lanes.clone()]) * scale[axis]
             }));
             marked |= !levels[0].simd_eq(levels[0]);
             for channel in 0..3 {
@@ -79,21 +79,21 @@ impl Pixels {
         self.marked = marked.any_true();
     }
 
-    /// Evaluates all pixels, or only those that are marked, in f64 one by one. The arguments of `define` are places from the
-    /// picture's middle, in pixels, and the first argument is the place of the square's middle.
-    pub fn define(
+    /// Evaluates all pixels, or only those that are marked, in f64 one by one. The arguments of `evaluate` are
+    /// pixels right and down from the picture's middle. The first argument here is the square's middle, from there, too.
+    pub fn evaluate_f64(
         &mut self,
         [right, down]: [f64; 2],
         all: bool,
-        define: impl Fn(f64, f64) -> DVec3,
+        evaluate: impl Fn(f64, f64) -> DVec3,
     ) {
         if !all && !self.marked {
             return;
         }
         for pixel in 0..self.count {
             if all || self.levels[0][pixel].is_nan() {
-                let [x, y] = two!(|axis| f64::from(self.places[axis][pixel]));
-                let levels = define(x + right, y + down).as_vec3();
+                let [x, y] = two!(|axis| f64::from(self.offsets[axis][pixel]));
+                let levels = evaluate(x + right, y + down).as_vec3();
                 for channel in 0..3 {
                     self.levels[channel][pixel] = levels[channel];
                 }

@@ -103,7 +103,7 @@ mod tests {
     use proptest::test_runner::{Config, RngSeed, TestRunner};
 
     use super::super::affine::Affine;
-    use super::super::field::{MAX_RADIUS, Places};
+    use super::super::field::{Extents, MAX_RADIUS};
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
     use super::super::specular::POWER_ERROR;
     use super::super::{field, interpolation};
@@ -135,7 +135,7 @@ mod tests {
 
     /// The vector at a corner as the kernel forms it.
     fn formed([middle, right, down]: &Moving) -> Vector {
-        // The place is a product with the stored inverse of the half extent.
+        // The position is a product with the stored inverse of the half extent.
         let end = Rounded::stored(1.0) * Rounded::exact(1.0);
         [0, 1, 2].map(|axis| {
             let [middle, right, down] = [middle, right, down].map(|v| Rounded::stored(v[axis]));
@@ -146,8 +146,8 @@ mod tests {
     fn field([centre, dx, dy]: &Moving) -> Field<Baseline> {
         let [centre, dx, dy] = [centre, dx, dy].map(|v| DVec3::from_array(*v));
         let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(token(), number); 2]);
-        let places = Places { middle, half };
-        Field::new(&Affine { centre, dx, dy }, &places)
+        let extents = Extents { middle, half };
+        Field::new(&Affine { centre, dx, dy }, &extents)
     }
 
     fn one(lanes: f64x4<Baseline>) -> f64 {

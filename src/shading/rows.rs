@@ -33,7 +33,7 @@ pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
 
 /// 1.5 * 2^15: adding it to a float of size below 2^14 rounds the float to a multiple of 1/256, and the low bits of the sum are
 /// 256 times that.
-const PLACES: f32 = 49_152.0;
+const FIXED_POINT: f32 = 49_152.0;
 /// The same plus a half: then the whole part is the byte.
 const BIAS: f64 = 49_152.5;
 
@@ -85,7 +85,7 @@ impl<S: Simd> Ramp<S> {
 #[inline(always)]
 fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
     let [red, green, blue] =
-        three!(|channel| (levels[channel] + PLACES).to_bits() - PLACES.to_bits());
+        three!(|channel| (levels[channel] + FIXED_POINT).to_bits() - FIXED_POINT.to_bits());
     [(red << 16) + blue, green]
 }
 
@@ -99,8 +99,8 @@ impl<S: Simd> Rows<S> for Ramp<S> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let [red_blue, green] = self.at(row);
-        let places = [red_blue >> 16, green & 0xffff, red_blue & 0xffff];
-        three!(|channel| places[channel].to_float::<f32x16<S>>() * (1.0 / 256.0) - 0.5)
+        let parts = [red_blue >> 16, green & 0xffff, red_blue & 0xffff];
+        three!(|channel| parts[channel].to_float::<f32x16<S>>() * (1.0 / 256.0) - 0.5)
     }
 
     #[inline(always)]
@@ -118,7 +118,7 @@ pub struct Curve<S: Simd> {
     terms: [[f32x16<S>; 3]; 4],
     /// The square's first pixel from the middle, in pixels.
     first: [f32; 2],
-    /// Whether [`PLACES`] and a half are part of the levels, so that these come in multiples of 1/256.
+    /// Whether [`FIXED_POINT`] and a half are part of the levels, so that these come in multiples of 1/256.
     fixed: bool,
     /// The factors of n.l, in levels.
     crossing: Option<[f32; 3]>,
@@ -182,7 +182,7 @@ impl<S: Simd> Rows<S> for Curve<S> {
             }
         }
         if self.fixed {
-            levels = three!(|channel| levels[channel] - PLACES - 0.5);
+            levels = three!(|channel| levels[channel] - FIXED_POINT - 0.5);
         }
         levels
     }
@@ -198,7 +198,7 @@ impl<S: Simd> Rows<S> for Curve<S> {
     }
 }
 
-/// Levels that are evaluated at every pixel, from its place on the square: x and y from -1 to 1.
+/// Levels that are evaluated at every pixel, from its position on the square: x and y from -1 to 1.
 pub struct Pointwise<S: Simd, F> {
     evaluate: F,
     /// The square's first pixel from the middle of what is covered, in pixels, and the inverse half extents.

@@ -4,7 +4,7 @@ use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
 use super::face::Face;
-use super::field::Places;
+use super::field::Extents;
 use super::gouraud::{Gouraud, TileColors};
 use super::interpolation::Interpolant;
 use super::lanes::LaneLayout;
@@ -32,7 +32,7 @@ impl Shader<'_> {
     pub fn prepare<S: Simd>(
         &self,
         simd: S,
-        places: &Places<S>,
+        extents: &Extents<S>,
         interpolate: bool,
         scratch: &mut Scratch,
     ) -> (Option<Interpolant<S>>, u64) {
@@ -41,15 +41,15 @@ impl Shader<'_> {
         // many small faces.
         match self {
             Shader::Gouraud(gouraud) if interpolate && gouraud.tolerance > 0.0 => {
-                outlined!(simd, gouraud.prepare(simd, places, true, colors))
+                outlined!(simd, gouraud.prepare(simd, extents, true, colors))
             }
             Shader::Gouraud(gouraud) => {
-                outlined!(simd, gouraud.prepare(simd, places, false, colors))
+                outlined!(simd, gouraud.prepare(simd, extents, false, colors))
             }
             Shader::Phong(phong) if interpolate && phong.tolerance > 0.0 => {
-                outlined!(simd, phong.prepare(simd, places, true, tile))
+                outlined!(simd, phong.prepare(simd, extents, true, tile))
             }
-            Shader::Phong(phong) => outlined!(simd, phong.prepare(simd, places, false, tile)),
+            Shader::Phong(phong) => outlined!(simd, phong.prepare(simd, extents, false, tile)),
             Shader::UnitVectors(_) => (None, 0),
         }
     }
@@ -66,14 +66,14 @@ impl Shader<'_> {
         let in_f32 = self.in_f32(index, scratch);
         let (pixels, tile, colors) = (&mut scratch.pixels, &scratch.tile, &scratch.colors);
         if in_f32 {
-            let levels = inlined!(|place| self.levels(simd, (tile, colors), index, place));
+            let levels = inlined!(|xy| self.levels(simd, (tile, colors), index, xy));
             outlined!(simd, pixels.evaluate(simd, square.half(), levels));
         } else if square.side > MIN_SIDE {
             return false;
         }
         let (middle, origin) = (square.middle(), self.face().rays.lens.half);
         let middle = two!(|axis| middle[axis] - origin[axis]);
-        pixels.define(middle, !in_f32, |x, y| self.define(x, y));
+        pixels.evaluate_f64(middle, !in_f32, |x, y| self.levels_f64(x, y));
         true
     }
 
@@ -95,26 +95,26 @@ impl Shader<'_> {
         if !has_signs || !self.in_f32(index, scratch) {
             return None;
         }
-        let levels = inlined!(move |place| self.levels(simd, (tile, colors), index, place));
+        let levels = inlined!(move |xy| self.levels(simd, (tile, colors), index, xy));
         Some(Pointwise::new(simd, square, levels))
     }
 
-    /// The levels in f32 at places on the square at `index`, x and y from -1 to 1.
+    /// The levels in f32 at points of the square at `index`, x and y from -1 to 1.
     #[inline(always)]
     fn levels<S: Simd>(
         &self,
         simd: S,
         (tile, colors): (&TileLights, &TileColors),
         index: usize,
-        place: [f32x16<S>; 2],
+        xy: [f32x16<S>; 2],
     ) -> [f32x16<S>; 3] {
         let at = LaneLayout::Pixels(index);
         match self {
             Shader::Phong(phong) => {
-                let [red, green, blue, _] = phong.levels(simd, tile, at, place);
+                let [red, green, blue, _] = phong.levels(simd, tile, at, xy);
                 [red, green, blue]
             }
-            _ => colors.levels(simd, at, place),
+            _ => colors.levels(simd, at, xy),
         }
     }
 
@@ -146,18 +146,18 @@ impl Shader<'_> {
         counts.model_evaluations += model * pixels as u64;
         counts.specular_evaluations += (pixels * powers) as u64;
         if in_f32 {
-            TileKind::Exact
+            TileKind::PerPixel
         } else {
-            TileKind::Double
+            TileKind::PerPixelF64
         }
     }
 
-    /// The levels that the mode defines, in f64, `x` pixels right and `y` pixels down of the picture's middle.
-    pub fn define(&self, x: f64, y: f64) -> DVec3 {
+    /// The levels in f64, as the mode defines them, `x` pixels right and `y` pixels down of the picture's middle.
+    pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         match self {
-            Shader::Gouraud(gouraud) => gouraud.define(x, y),
-            Shader::Phong(phong) => phong.define(x, y),
-            Shader::UnitVectors(vectors) => vectors.define(x, y),
+            Shader::Gouraud(gouraud) => gouraud.levels_f64(x, y),
+            Shader::Phong(phong) => phong.levels_f64(x, y),
+            Shader::UnitVectors(vectors) => vectors.levels_f64(x, y),
         }
     }
 

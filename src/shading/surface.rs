@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::specular;
 use crate::components::{Illumination, Material, PointLight, unit};
 
-/// An object's material and place, under its light.
+/// An object's material and position, under its light.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'a> {
     /// Its coefficients.

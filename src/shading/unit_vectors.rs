@@ -1,7 +1,7 @@
 //! The assignment's shortcut: unit n, l and o of the vertices, interpolated linearly on the screen, not renormalised.
 //!
 //! Let e_i be the weights of a triangle's vertices at a point of the face, and z_i the depths of the vertices. The weights
-//! e_i z_i / sum(e_j z_j) are linear on the screen. A vertex nearer than the near plane has no place on the screen; the vectors
+//! e_i z_i / sum(e_j z_j) are linear on the screen. A vertex nearer than the near plane has no position on the screen; the vectors
 //! of its triangle are interpolated with e_i, perspective-correctly, as everything else is.
 //!
 //! This is its definition, evaluated in f64 at every pixel. It shows the error of the shortcut; its time is not tuned.
@@ -9,7 +9,7 @@
 use glam::{DMat3, DVec3};
 
 use super::affine::Affine;
-use super::face::{Face, places};
+use super::face::{Face, corner_uvs};
 use super::specular::power_exact;
 use super::surface::Surface;
 use crate::components::{Projection, unit};
@@ -38,15 +38,15 @@ impl<'a> UnitVectors<'a> {
         surface: Surface<'a>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Self {
-        let (places, lens) = (places(face.number), &face.rays.lens);
-        let corners = places.map(|place| face.from_eye(place));
+        let (uvs, lens) = (corner_uvs(face.index), &face.rays.lens);
+        let corners = uvs.map(|uv| face.from_eye(uv));
         let lights = surface.illumination.points.iter();
         to_lights.clear();
         to_lights.extend(lights.map(|light| {
             let light = light.position - lens.eye;
             corners.map(|corner| unit(light - corner))
         }));
-        // The depths of the corners on the screen, where they have a place there.
+        // The depths of the corners on the screen, where they have a position there.
         let depths = corners.map(|corner| {
             let depth = lens.axes[2].dot(corner);
             (depth >= lens.near).then_some(match lens.projection {
@@ -56,7 +56,7 @@ impl<'a> UnitVectors<'a> {
         });
         let weights = CORNERS.map(|corners| {
             let [a, b, c] = corners.map(|corner| {
-                let [u, v] = places[corner];
+                let [u, v] = uvs[corner];
                 DVec3::new(u, v, 1.0)
             });
             let depths = match corners.map(|corner| depths[corner]) {
@@ -68,7 +68,7 @@ impl<'a> UnitVectors<'a> {
         UnitVectors {
             face,
             surface,
-            normals: places.map(|[u, v]| normals.at(u, v)),
+            normals: uvs.map(|[u, v]| normals.at(u, v)),
             to_eye: corners.map(|corner| match lens.projection {
                 Projection::Perspective => unit(-corner),
                 Projection::Orthographic => -lens.axes[2],
@@ -78,12 +78,12 @@ impl<'a> UnitVectors<'a> {
         }
     }
 
-    /// See [`super::Shader::define`].
-    pub fn define(&self, x: f64, y: f64) -> DVec3 {
-        let ([u, v], _) = self.face.place_at(x, y);
+    /// See [`super::Shader::levels_f64`].
+    pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
+        let ([u, v], _) = self.face.uv_at(x, y);
         let triangle = usize::from(self.face.across([u, v]) < 0.0);
         let weights = self.weights[triangle] * DVec3::new(u, v, 1.0);
-        // Weights times depths add up to the depth of the place, which is positive.
+        // Weights times depths add up to the depth of the point, which is positive.
         let weights = weights / weights.element_sum();
         let between = |values: &[DVec3; 4]| {
             let [a, b, c] = CORNERS[triangle].map(|corner| values[corner]);

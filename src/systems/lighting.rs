@@ -21,7 +21,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         world.query_mut::<(&Transform, &Light)>().into_iter(),
         &mut frame.list.illumination,
     );
-    for (place, mesh, material, own, normals, colors) in world.query_mut::<(
+    for (transform, mesh, material, own, normals, colors) in world.query_mut::<(
         &WorldTransform,
         &Mesh,
         &Material,
@@ -32,8 +32,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         if view.mode(*own) != ShadingMode::Gouraud {
             continue;
         }
-        let surface = Surface::new(material, &frame.list.illumination, place.position);
-        colors.0 = vertex_colors(&surface, place, mesh, normals, &frame.lens);
+        let surface = Surface::new(material, &frame.list.illumination, transform.position);
+        colors.0 = vertex_colors(&surface, transform, mesh, normals, &frame.lens);
         frame.count_vertices(surface.powers());
     }
 }
@@ -80,15 +80,15 @@ fn gather<'a>(
 /// The model at the corners, in levels, unclamped.
 fn vertex_colors(
     surface: &Surface,
-    place: &WorldTransform,
+    transform: &WorldTransform,
     mesh: &Mesh,
     normals: &Normals,
     lens: &Lens,
 ) -> [DVec3; 8] {
     std::array::from_fn(|corner| {
-        let offset = place.axes * mesh.corners[corner];
+        let offset = transform.axes * mesh.corners[corner];
         let to_eye = match lens.projection {
-            Projection::Perspective => unit(lens.eye - place.position - offset),
+            Projection::Perspective => unit(lens.eye - transform.position - offset),
             Projection::Orthographic => -lens.axes[2],
         };
         surface.levels(offset, normals.0[corner], to_eye)

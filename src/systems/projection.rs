@@ -19,15 +19,17 @@ use crate::frame::Frame;
 
 /// Overwrites the [`Projected`] of every cuboid.
 pub fn run(world: &mut World, _view: &View, frame: &mut Frame) {
-    for (place, mesh, projected) in world.query_mut::<(&WorldTransform, &Mesh, &mut Projected)>() {
-        project(place, mesh, &frame.lens, projected);
+    for (transform, mesh, projected) in
+        world.query_mut::<(&WorldTransform, &Mesh, &mut Projected)>()
+    {
+        project(transform, mesh, &frame.lens, projected);
     }
 }
 
 /// Projects one cuboid.
-pub fn project(place: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut Projected) {
-    let axes = place.axes;
-    let centre = place.position - lens.eye;
+pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut Projected) {
+    let axes = transform.axes;
+    let centre = transform.position - lens.eye;
     projected.seen = mesh.corners.map(|corner| {
         let from_eye = centre + axes * corner;
         DVec3::from_array(lens.axes.map(|axis| axis.dot(from_eye)))
@@ -93,12 +95,12 @@ mod tests {
 
     fn project_at(position: DVec3, size: DVec3, view: &View) -> Projected {
         let mut projected = Projected::default();
-        let place = WorldTransform {
+        let transform = WorldTransform {
             position,
             axes: DMat3::IDENTITY,
         };
         project(
-            &place,
+            &transform,
             &Mesh::cuboid(size),
             &Lens::new(view),
             &mut projected,

@@ -68,7 +68,7 @@ fn no_pixel_exceeds_its_tolerance_and_every_kind_of_tile_comes_near_it() {
     for kind in TileKind::ALL {
         // Few scenes have a terminator that needs most of its bound.
         let is_tight = match kind {
-            TileKind::Exact | TileKind::Double => true,
+            TileKind::PerPixel | TileKind::PerPixelF64 => true,
             TileKind::Terminator if scenes < 50 => true,
             _ => most[kind as usize] > 0.15,
         };
@@ -143,7 +143,7 @@ fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
             for tolerance in [0.0, 4.0] {
                 let shares = shares(&mut world, &view.with_tolerance(tolerance));
                 assert_eq!(shares.len(), 1024);
-                let is_exact = |(kind, _): &(TileKind, f64)| *kind == TileKind::Exact;
+                let is_exact = |(kind, _): &(TileKind, f64)| *kind == TileKind::PerPixel;
                 assert!(shares.iter().all(is_exact) || pitch > 1e-10);
             }
         }

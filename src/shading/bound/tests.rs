@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::*;
 use crate::shading::affine::Affine;
-use crate::shading::field::{MAX_RADIUS, Places};
+use crate::shading::field::{MAX_RADIUS, Extents};
 use crate::shading::interpolation::NODE;
 use crate::simd::{Baseline, token};
 
@@ -42,9 +42,9 @@ impl Random {
 }
 
 /// A square at the picture's middle.
-fn square(half: f64) -> Places<Baseline> {
+fn square(half: f64) -> Extents<Baseline> {
     let [zero, half] = [0.0, half].map(|number| Number::splat(token(), number));
-    Places {
+    Extents {
         middle: [zero; 2],
         half: [half; 2],
     }

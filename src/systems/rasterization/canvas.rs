@@ -68,10 +68,10 @@ impl Canvas<'_, '_> {
             if span.is_empty() {
                 continue;
             }
-            let y = top + (row - self.square.place[1]) as i32 as f32;
+            let y = top + (row - self.square.corner[1]) as i32 as f32;
             let before = pixels.count;
             for first in span.clone().step_by(16) {
-                let x = left + (first - self.square.place[0]) as i32 as f32;
+                let x = left + (first - self.square.corner[0]) as i32 as f32;
                 let mut seen = self.seen_lanes(simd, first, row, first..span.end.min(first + 16));
                 // Each run of seen pixels.
                 while seen != 0 {
@@ -112,7 +112,9 @@ impl Canvas<'_, '_> {
 
     #[inline(never)]
     fn mark(&mut self, kind: TileKind, drawn: &Face) {
-        let Square { place, columns, .. } = self.square;
+        let Square {
+            corner, columns, ..
+        } = self.square;
         let origin = drawn.rays.lens.half;
         for (row, span) in self.spans.clipped(self.rows(), columns) {
             for column in span {
@@ -121,7 +123,7 @@ impl Canvas<'_, '_> {
                     let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - origin[axis]);
                     let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
                     self.band.triangles[pixel] = self.id + second;
-                    let edge = row == place[1] || column == place[0];
+                    let edge = row == corner[1] || column == corner[0];
                     self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
                 }
             }
@@ -132,7 +134,7 @@ impl Canvas<'_, '_> {
     #[inline(always)]
     fn draw_whole<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
         let Square {
-            place: [left, top],
+            corner: [left, top],
             side,
             ..
         } = self.square;
@@ -176,11 +178,11 @@ impl Canvas<'_, '_> {
             return self.draw_whole(rows);
         }
         let held = self.rows();
-        let [left, top] = self.square.place;
+        let [left, top] = self.square.corner;
         for part in self.square.parts() {
             rows.go_to(part);
             let first = left + 16 * part;
-            for (row, span) in self.spans.clipped(held.clone(), [first, first + 15]) {
+            for (row, span) in self.spans.clipped(held.clone(), [first, first + 16]) {
                 if span.is_empty() {
                     continue;
                 }

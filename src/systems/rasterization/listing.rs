@@ -21,31 +21,33 @@ impl DrawList {
     /// Lists the cuboids that have visible faces, and these faces.
     pub fn fill(&mut self, level: Level, world: &mut World, view: &View) {
         self.clear();
-        for (order, place, mesh, material, own, normals, colors, projected) in world.query_mut::<(
-            &FileOrder,
-            &WorldTransform,
-            &Mesh,
-            &Material,
-            &ShadingMode,
-            &Normals,
-            &VertexColors,
-            &Projected,
-        )>() {
+        for (order, transform, mesh, material, own, normals, colors, projected) in world
+            .query_mut::<(
+                &FileOrder,
+                &WorldTransform,
+                &Mesh,
+                &Material,
+                &ShadingMode,
+                &Normals,
+                &VertexColors,
+                &Projected,
+            )>()
+        {
             let half = mesh.corners[7];
             let id = 12 * order.0;
             let pieces = self.pieces.len();
-            dispatch!(level, simd => self.list_faces(simd, view.size, id, place, half, projected));
+            dispatch!(level, simd => self.list_faces(simd, view.size, id, transform, half, projected));
             if self.pieces.len() == pieces {
                 continue;
             }
             let mode = view.mode(*own);
             let gloss = match mode {
-                ShadingMode::Phong => self.gloss(material, place.position),
+                ShadingMode::Phong => self.gloss(material, transform.position),
                 _ => 0,
             };
             self.objects.push(Object {
                 material: *material,
-                place: *place,
+                transform: *transform,
                 half,
                 mode,
                 gloss,
@@ -64,7 +66,7 @@ impl DrawList {
         simd: S,
         size: [usize; 2],
         id: u32,
-        place: &WorldTransform,
+        transform: &WorldTransform,
         half: DVec3,
         projected: &Projected,
     ) {
@@ -80,7 +82,7 @@ impl DrawList {
                         object: self.objects.len(),
                         row,
                         spans,
-                        nearness: nearness(number, place, half, &self.rays),
+                        nearness: nearness(number, transform, half, &self.rays),
                         range: self
                             .range(FACES[number].map(|it| projected.seen[usize::from(it)].z)),
                     });

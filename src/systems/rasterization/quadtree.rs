@@ -10,7 +10,7 @@ use super::canvas::Canvas;
 use crate::components::ShadingMode;
 use crate::frame::{Band, Counts, DrawList, Object, Piece};
 use crate::shading::face::Face;
-use crate::shading::field::Places;
+use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
@@ -54,7 +54,7 @@ impl DrawList {
         let object = &self.objects[piece.object];
         let face = Face::new(
             (piece.id % 12 / 2) as usize,
-            &object.place,
+            &object.transform,
             object.half,
             &self.rays,
         );
@@ -63,8 +63,8 @@ impl DrawList {
         let shader = &self.shader(object, &face, &mut lights, &mut to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
-                let places = Places::new(simd, &[*square; 4], self.rays.lens.half);
-                shader.prepare(simd, &places, false, scratch);
+                let extents = Extents::new(simd, &[*square; 4], self.rays.lens.half);
+                shader.prepare(simd, &extents, false, scratch);
                 canvas.draw_listed(simd, shader, 0, strips, scratch);
             }
             None => canvas.draw_face(simd, shader, scratch),
@@ -80,7 +80,11 @@ impl DrawList {
         lights: &'a mut Vec<FaceLight>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Shader<'a> {
-        let surface = Surface::new(&object.material, &self.illumination, object.place.position);
+        let surface = Surface::new(
+            &object.material,
+            &self.illumination,
+            object.transform.position,
+        );
         let (corners, tolerance) = (&object.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {
@@ -102,16 +106,16 @@ impl Canvas<'_, '_> {
     fn draw_face<S: Simd>(&mut self, simd: S, shader: &Shader, scratch: &mut Scratch) {
         let rows = self.band.held(self.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
-            let (extent, common) = self.spans.extents(row..row + MAX_SIDE);
+            let (extent, common) = self.spans.columns(row..row + MAX_SIDE);
             for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(4 * MAX_SIDE) {
                 let squares = four!(|index| {
-                    let place = [column + index * MAX_SIDE, row];
-                    if extent.end <= place[0] {
+                    let corner = [column + index * MAX_SIDE, row];
+                    if extent.end <= corner[0] {
                         Square::default()
-                    } else if common.start <= place[0] && place[0] + MAX_SIDE <= common.end {
-                        Square::whole(place, MAX_SIDE)
+                    } else if common.start <= corner[0] && corner[0] + MAX_SIDE <= common.end {
+                        Square::whole(corner, MAX_SIDE)
                     } else {
-                        Square::new(&self.spans, place, MAX_SIDE)
+                        Square::new(&self.spans, corner, MAX_SIDE)
                     }
                 });
                 self.draw_squares(simd, shader, &squares, scratch);
@@ -132,9 +136,10 @@ impl Canvas<'_, '_> {
         if seen == [0; 4] {
             return;
         }
-        let places = Places::new(simd, squares, shader.face().rays.lens.half);
+        let extents = Extents::new(simd, squares, shader.face().rays.lens.half);
         let pixels: usize = squares.iter().map(|square| square.pixels).sum();
-        let (interpolant, promising) = shader.prepare(simd, &places, pixels >= WORTHWHILE, scratch);
+        let (interpolant, promising) =
+            shader.prepare(simd, &extents, pixels >= WORTHWHILE, scratch);
         let mut cut = [false; 4];
         for (index, square) in squares.iter().enumerate() {
             if seen[index] == 0 {

@@ -12,7 +12,7 @@ use fearless_simd::prelude::*;
 use glam::DVec3;
 use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{self, Highlight, cosine_error, reflection, side};
-use shadetrade::shading::field::{Field, MAX_RADIUS, Places};
+use shadetrade::shading::field::{Field, MAX_RADIUS, Extents};
 use shadetrade::simd::{Baseline, baseline};
 
 use crate::support::cases::cases;
@@ -95,7 +95,7 @@ fn vectors(random: &mut Random) -> [Affine; 3] {
 fn field(vector: &Affine) -> Option<Field<Baseline>> {
     let simd = baseline().expect("every machine has these lanes");
     let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(simd, number); 2]);
-    let field = Field::new(vector, &Places { middle, half });
+    let field = Field::new(vector, &Extents { middle, half });
     (field.radius.as_array()[0] < MAX_RADIUS).then_some(field)
 }
 

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use shadetrade::components::{Illumination, Lens, PointLight, Projection, WorldTransform};
 use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Rays};
-use shadetrade::shading::field::Places;
+use shadetrade::shading::field::Extents;
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::{Gouraud, TileColors};
 use shadetrade::shading::lights::TileLights;
@@ -67,12 +67,12 @@ proptest! {
         let rays = Rays::new(&fine);
         let face = Face::new(2, &cuboid, edges, &rays);
         let Some([x, y]) = pixel(&fine, &face) else { return Ok(()) };
-        let lens = lens(1e-4 * coarser * face.place.at(x, y).z / face.least_steady());
+        let lens = lens(1e-4 * coarser * face.uvw.at(x, y).z / face.least_steady());
         let rays = Rays::new(&lens);
         let face = Face::new(2, &cuboid, edges, &rays);
         let Some([x, y]) = pixel(&lens, &face) else { return Ok(()) };
         // Snapping moves a vertex, and so an edge, by at most 1/512 pixel.
-        let place = face.place.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
+        let place = face.uvw.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
         if face.is_steady(place.z) {
             let beyond = (place.x.abs().max(place.y.abs()) / place.z) - 1.0;
             prop_assert!(beyond <= 2.0 * OVERSHOOT + 1e-6, "{beyond}");
@@ -101,7 +101,7 @@ proptest! {
         let face = Face::new(2, &cuboid, edges, &rays);
         let simd = baseline().expect("every machine has the baseline");
         let lanes = |place: [f64; 2]| place.map(|number| f64x4::splat(simd, number));
-        let places = Places { middle: lanes(middle), half: lanes(half) };
+        let places = Extents { middle: lanes(middle), half: lanes(half) };
         let w = |x: f64, y: f64| face.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
@@ -112,11 +112,11 @@ proptest! {
         let by_vertex = colors.in_f32 & 1 == 1;
         prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);
 
-        let (w, (place, _)) = (w(0.0, 0.0), face.place_at(middle[0], middle[1]));
+        let (w, (place, _)) = (w(0.0, 0.0), face.uv_at(middle[0], middle[1]));
         if !face.is_steady(w) {
             prop_assert!(place.iter().all(|u| u.abs() <= 1.0), "a place on a sliver: {place:?}");
             if orthographic {
-                let seen = face.place.at(middle[0], middle[1]) / w;
+                let seen = face.uvw.at(middle[0], middle[1]) / w;
                 prop_assert_eq!(place, [seen.x, seen.y].map(|u| u.clamp(-1.0, 1.0)));
             }
         }
@@ -134,7 +134,7 @@ proptest! {
         let gloss = Gloss::new(&surface, 0.5);
         let mut lights = Vec::new();
         let phong = Phong::new(&face, normals, surface, &gloss, &mut lights, 0.5);
-        let levels = phong.define(middle[0], middle[1]);
+        let levels = phong.levels_f64(middle[0], middle[1]);
         prop_assert!(levels.abs_diff_eq(DVec3::splat(100.0), 1e-6), "{levels} at {place:?}");
         let mut tile = TileLights::default();
         phong.prepare(simd, &places, true, &mut tile);
@@ -171,7 +171,7 @@ fn beside_a_sliver_a_pixel_shows_its_far_end_if_a_snap_reaches_it() {
             axes: DMat3::IDENTITY,
         };
         let face = Face::new(2, &place, DVec3::new(1.0, 1.0, 10.0), &rays);
-        let (found, _) = face.place_at(x, y / 1024.0);
+        let (found, _) = face.uv_at(x, y / 1024.0);
         let error = [0, 1].map(|axis| (found[axis] - expected[axis]).abs());
         assert!(error[0].max(error[1]) < 1e-9, "{found:?}, {expected:?}");
     }

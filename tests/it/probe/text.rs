@@ -72,10 +72,14 @@ fn the_cost_is_that_of_the_square() {
     use ShadingMode::{Gouraud, Phong, UnitVectors};
     for (mode, kind, words) in [
         (Phong, TileKind::Quadratic, ["Nine", "all pixels"]),
-        (Phong, TileKind::Exact, ["An evaluation", "every pixel"]),
+        (Phong, TileKind::PerPixel, ["An evaluation", "every pixel"]),
         (Gouraud, TileKind::Linear, ["No evaluation", "its square"]),
-        (Gouraud, TileKind::Exact, ["No evaluation", "every pixel"]),
-        (UnitVectors, TileKind::Double, ["An evaluation", "f64"]),
+        (
+            Gouraud,
+            TileKind::PerPixel,
+            ["No evaluation", "every pixel"],
+        ),
+        (UnitVectors, TileKind::PerPixelF64, ["An evaluation", "f64"]),
     ] {
         let drawn = DrawnPixel {
             mode,
