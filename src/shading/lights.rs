@@ -107,18 +107,18 @@ impl Phong<'_> {
         let [middle, right, down] = extents.affine(self.face.w.terms());
         let least = middle - right.abs() - down.abs();
         let simd = least.token();
-        let number = inlined!(|number: f64| f64x4::splat(simd, number));
-        let [zero, one] = [number(0.0), number(1.0)];
+        let splat = inlined!(|number: f64| f64x4::splat(simd, number));
+        let [zero, one] = [splat(0.0), splat(1.0)];
         let none = mask64x4::splat(simd, false);
         let normal = Field::new(&self.normal, extents);
         let eye = Field::new(&self.face.rays.to_eye, extents);
         // Pixels of a sliver are clamped to the face, one by one.
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
-        let mut budget = number(if interpolate { self.tolerance } else { -1.0 });
+        let mut budget = splat(if interpolate { self.tolerance } else { -1.0 });
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
-        let (mut lost, mut crossed, mut unsure) = (zero, none, zero);
+        let (mut left_out, mut crossed, mut unsure) = (zero, none, zero);
         (tile.normal, tile.eye) = (normal.squares(), eye.squares());
         tile.shines = 0;
         tile.lights.clear();
@@ -129,7 +129,7 @@ impl Phong<'_> {
             if dark.all_true() {
                 continue;
             }
-            let [diffuse, specular] = [number(light.most[0]), number(light.most[1])];
+            let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
             let is_bounded = (bounded & budget.simd_gt(0.0)).any_true();
             let (mut shines, mut error, mut doubt) = (none, zero, zero);
             if light.most[0] > 0.0 {
@@ -138,7 +138,7 @@ impl Phong<'_> {
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
                 shines = reflection[0].simd_gt(self.gloss.least) & !dark;
-                lost += (shines | dark).select(zero, number(self.gloss.faint));
+                left_out += (shines | dark).select(zero, splat(self.gloss.faint));
                 let any_shines = shines.any_true();
                 if any_shines {
                     let chord = self.gloss.propagated(rounding.chord(&to_light));
@@ -155,13 +155,13 @@ impl Phong<'_> {
                     }
                 }
             }
-            let mut cut = none;
+            let mut crosses = none;
             if interpolate {
                 // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
                 let idle = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-                cut = !(lit | dark | idle | shines | crossed);
-                crossed |= cut;
-                let sure = to_light.is_direction_bounded() & (lit | dark | idle | cut);
+                crosses = !(lit | dark | idle | shines | crossed);
+                crossed |= crosses;
+                let sure = to_light.is_direction_bounded() & (lit | dark | idle | crosses);
                 unsure += sure.select(zero, one);
                 bounded &= sure;
                 if is_bounded {
@@ -174,13 +174,13 @@ impl Phong<'_> {
                 light: index,
                 dark: dark.to_bitmask(),
                 shines: shines.to_bitmask(),
-                crosses: cut.to_bitmask(),
+                crosses: crosses.to_bitmask(),
                 vector: to_light.squares(),
                 doubt: four!(|square| doubt.as_array()[square] as f32),
             });
         }
         let rounding = rounding.levels();
-        tile.in_f32 = (steady & (rounding + lost).simd_le(limit(self.tolerance))).to_bitmask();
+        tile.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
         let budget = bounded.select(budget - rounding * LEBESGUE, -one);
         let promising = (steady & unsure.simd_le(UNSURE)).to_bitmask();
         (budget, if interpolate { promising } else { 0 })

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::*;
 use crate::shading::affine::Affine;
-use crate::shading::field::{MAX_RADIUS, Extents};
+use crate::shading::field::{Extents, MAX_RADIUS};
 use crate::shading::interpolation::NODE;
 use crate::simd::{Baseline, token};
 

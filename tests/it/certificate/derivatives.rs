@@ -12,7 +12,7 @@ use fearless_simd::prelude::*;
 use glam::DVec3;
 use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{self, Highlight, cosine_error, reflection, side};
-use shadetrade::shading::field::{Field, MAX_RADIUS, Extents};
+use shadetrade::shading::field::{Extents, Field, MAX_RADIUS};
 use shadetrade::simd::{Baseline, baseline};
 
 use crate::support::cases::cases;
