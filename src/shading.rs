@@ -18,13 +18,14 @@
 //! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
 //! cuts faces into squares.
 //!
-//! Terms: a *node* is one of the nine places on a square at which the model is sampled. A *terminator* is a line on which n.l
+//! Terms: a *node* is one of the nine points of a square at which the model is sampled. A *terminator* is a line on which n.l
 //! of a light is 0. A *highlight* is the term of a light with s^rho, s = o.r. A *sliver* is a face so thin on the screen that
 //! the centre of a covered pixel may lie outside it by more than 1/128 of its size. The cause is snapping, which moves a vertex
-//! by up to 1/512 pixel along each axis. Such a pixel shows the nearest place on the face, or its far end.
+//! by up to 1/512 pixel along each axis. Such a pixel shows the nearest point of the face, or its far end.
 //!
 //! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance.
-//! The tolerance holds for levels before they are rounded to bytes.
+//! The tolerance holds for levels before they are rounded to bytes. The bounds do not count roundings of f64: docs/limits.md says
+//! where these exceed a tolerance.
 
 pub mod affine;
 pub mod bound;
