@@ -22,8 +22,7 @@ const WAYLAND_NOTCH: f32 = -10.0;
 #[derive(Debug, thiserror::Error)]
 #[error("no display to open a window on ({reason})")]
 pub struct NoDisplay {
-    /// The message of the window system.
-    reason: String,
+    reason: &'static str,
 }
 
 /// An open window.
@@ -221,11 +220,12 @@ fn not_opened(error: minifb::Error) -> anyhow::Error {
         && !is_set("DISPLAY")
         && !is_set("WAYLAND_DISPLAY");
     // minifb has no error of its own for an X server that does not answer.
-    if none_named || reason == "XOpenDisplay failed" {
-        NoDisplay { reason }.into()
-    } else {
-        anyhow!("cannot open a window: {reason}")
-    }
+    let reason = match reason.as_str() {
+        _ if none_named => "neither DISPLAY nor WAYLAND_DISPLAY is set",
+        "XOpenDisplay failed" => "the X server that DISPLAY names does not answer",
+        _ => return anyhow!("cannot open a window: {reason}"),
+    };
+    NoDisplay { reason }.into()
 }
 
 /// Puts a key before its character, as X11 reports them; minifb has the other order on Wayland.
