@@ -96,7 +96,13 @@ impl TileKind {
 
     /// Its name in panels and reports.
     pub const fn name(self) -> &'static str {
-        let names = ["linear", "quadratic", "terminator", "exact", "exact in f64"];
+        let names = [
+            "linear",
+            "quadratic",
+            "terminator",
+            "per pixel",
+            "per pixel in f64",
+        ];
         names[self as usize]
     }
 }

@@ -113,7 +113,12 @@ impl DrawnPixel {
                  within {within}."
             ),
             (_, true) => {
-                format!("An evaluation of the model ({kind}), as at every pixel of its square.")
+                let precision = if self.kind == TileKind::PerPixelF64 {
+                    " in f64"
+                } else {
+                    ""
+                };
+                format!("An evaluation of the model{precision}, as at every pixel of its square.")
             }
             (_, false) => format!(
                 "Nine evaluations of the model for all pixels of its square, which has a {kind} colour, certified \
