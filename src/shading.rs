@@ -81,7 +81,7 @@ pub enum TileKind {
     /// The model at every pixel, in f32; in f64 at pixels where f32 does not suffice.
     PerPixel,
     /// The model at every pixel, in f64.
-    PerPixelF64,
+    InF64,
 }
 
 impl TileKind {
@@ -91,7 +91,7 @@ impl TileKind {
         TileKind::Quadratic,
         TileKind::Terminator,
         TileKind::PerPixel,
-        TileKind::PerPixelF64,
+        TileKind::InF64,
     ];
 
     /// Its name in panels and reports.

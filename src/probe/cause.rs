@@ -101,7 +101,7 @@ impl DrawnPixel {
     /// The evaluations of the model in the square of the pixel.
     pub fn cost(&self) -> String {
         let (kind, within) = (self.kind.name(), self.tolerance);
-        let is_evaluated = matches!(self.kind, TileKind::PerPixel | TileKind::PerPixelF64);
+        let is_evaluated = matches!(self.kind, TileKind::PerPixel | TileKind::InF64);
         match (self.mode, is_evaluated) {
             (ShadingMode::Gouraud, true) => {
                 "No evaluation of the model: the levels of three vertices, interpolated at \
@@ -113,7 +113,7 @@ impl DrawnPixel {
                  within {within}."
             ),
             (_, true) => {
-                let precision = if self.kind == TileKind::PerPixelF64 {
+                let precision = if self.kind == TileKind::InF64 {
                     " in f64"
                 } else {
                     ""

@@ -148,7 +148,7 @@ impl Shader<'_> {
         if in_f32 {
             TileKind::PerPixel
         } else {
-            TileKind::PerPixelF64
+            TileKind::InF64
         }
     }
 

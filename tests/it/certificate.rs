@@ -68,7 +68,7 @@ fn no_pixel_exceeds_its_tolerance_and_every_kind_of_tile_comes_near_it() {
     for kind in TileKind::ALL {
         // Few scenes have a terminator that needs most of its bound.
         let is_tight = match kind {
-            TileKind::PerPixel | TileKind::PerPixelF64 => true,
+            TileKind::PerPixel | TileKind::InF64 => true,
             TileKind::Terminator if scenes < 50 => true,
             _ => most[kind as usize] > 0.15,
         };

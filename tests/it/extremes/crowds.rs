@@ -110,7 +110,7 @@ fn faces_of_a_few_pixels_are_evaluated_in_f32() {
     for view in at_both_tolerances(&views([20, 16], EYE)) {
         let counts = draw(&mut world, &view, Keep::Display).counts();
         assert!(counts.covered_pixels > 30, "{counts:?}");
-        assert_eq!(counts.tiles[TileKind::PerPixelF64 as usize], 0, "{view:?}");
+        assert_eq!(counts.tiles[TileKind::InF64 as usize], 0, "{view:?}");
         assert_eq!(counts.tiles.iter().sum::<u64>(), 3, "one a face: {view:?}");
     }
 }

@@ -74,12 +74,8 @@ fn the_cost_is_that_of_the_square() {
         (Phong, TileKind::Quadratic, ["Nine", "all pixels"]),
         (Phong, TileKind::PerPixel, ["An evaluation", "every pixel"]),
         (Gouraud, TileKind::Linear, ["No evaluation", "its square"]),
-        (
-            Gouraud,
-            TileKind::PerPixel,
-            ["No evaluation", "every pixel"],
-        ),
-        (UnitVectors, TileKind::PerPixelF64, ["An evaluation", "f64"]),
+        (Gouraud, TileKind::PerPixel, ["No evaluation", "every"]),
+        (UnitVectors, TileKind::InF64, ["An evaluation", "f64"]),
     ] {
         let drawn = DrawnPixel {
             mode,

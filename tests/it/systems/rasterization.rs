@@ -160,11 +160,7 @@ fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_lev
                 let drawn = frame.triangles().iter().zip(frame.kinds());
                 for (_, kind) in drawn.filter(|(id, _)| **id != NO_TRIANGLE) {
                     let kind = TileKind::ALL[usize::from(kind & !OUTLINE)];
-                    assert_eq!(
-                        kind == TileKind::PerPixelF64,
-                        is_double,
-                        "{mode:?}, {share}"
-                    );
+                    assert_eq!(kind == TileKind::InF64, is_double, "{mode:?}, {share}");
                 }
             }
         }
