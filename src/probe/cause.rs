@@ -101,26 +101,23 @@ impl DrawnPixel {
     /// The evaluations of the model in the square of the pixel.
     pub fn cost(&self) -> String {
         let (kind, within) = (self.kind.name(), self.tolerance);
-        let is_evaluated = matches!(self.kind, TileKind::PerPixel | TileKind::InF64);
-        match (self.mode, is_evaluated) {
-            (ShadingMode::Gouraud, true) => {
+        match (self.mode, self.kind) {
+            (ShadingMode::Gouraud, TileKind::PerPixel | TileKind::InF64) => {
                 "No evaluation of the model: the levels of three vertices, interpolated at \
                  every pixel."
                     .to_owned()
             }
-            (ShadingMode::Gouraud, false) => format!(
+            (ShadingMode::Gouraud, _) => format!(
                 "No evaluation of the model: its square has a {kind} colour between the levels of three vertices, \
                  within {within}."
             ),
-            (_, true) => {
-                let precision = if self.kind == TileKind::InF64 {
-                    " in f64"
-                } else {
-                    ""
-                };
-                format!("An evaluation of the model{precision}, as at every pixel of its square.")
+            (_, TileKind::PerPixel) => {
+                "An evaluation of the model, as at every pixel of its square.".to_owned()
             }
-            (_, false) => format!(
+            (_, TileKind::InF64) => {
+                "An evaluation of the model in f64, as at every pixel of its square.".to_owned()
+            }
+            _ => format!(
                 "Nine evaluations of the model for all pixels of its square, which has a {kind} colour, certified \
                  within {within}."
             ),

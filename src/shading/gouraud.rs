@@ -65,7 +65,7 @@ impl TileColors {
 ///
 /// ```text
 ///   operation                        count   why
-///   numerator                          6     a term: stored, 2 for its place, product, 2 sums
+///   numerator                          6     a term: stored, 2 for x or y, product, 2 sums
 ///   w                              3 x 6     6 roundings of w, which is at most 1.5, over the smallest w, 1/2
 ///   division                           2     a reciprocal and a product
 ///   diagonal                       2 x 6     pixels on its wrong side, where the triangles differ by up to 2
@@ -177,7 +177,7 @@ mod tests {
         // At a corner, where x = y = 1.
         let at = |terms: [f64; 3]| {
             let [middle, right, down] = terms.map(Rounded::stored);
-            // The place is a product with the stored inverse of the half extent.
+            // The position is a product with the stored inverse of the half extent.
             let end = Rounded::stored(1.0) * Rounded::exact(1.0);
             end * right + (middle + down * end)
         };

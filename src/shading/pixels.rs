@@ -79,8 +79,8 @@ impl Pixels {
         self.marked = marked.any_true();
     }
 
-    /// Evaluates all pixels, or only those that are marked, in f64 one by one. The arguments of `evaluate` are
-    /// pixels right and down from the picture's middle. The first argument here is the square's middle, from there, too.
+    /// Evaluates all pixels, or only those that are marked, in f64 one by one. The square's middle and the
+    /// arguments of `evaluate` are in pixels right and down from the picture's middle.
     pub fn evaluate_f64(
         &mut self,
         [right, down]: [f64; 2],

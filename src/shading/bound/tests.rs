@@ -131,8 +131,8 @@ fn the_cosine_strays_no_further_than_its_bound() {
     let mut ratios = Vec::new();
     for _ in 0..4000 {
         let [normal, light, _] = scene(&mut random);
-        let places = square(1.0);
-        let [n, l] = [normal, light].map(|vector| Field::new(&vector, &places));
+        let extents = square(1.0);
+        let [n, l] = [normal, light].map(|vector| Field::new(&vector, &extents));
         if one(n.radius.max(l.radius)) < MAX_RADIUS {
             let bound = one(cosine_error(&n, &l));
             let error = interpolation(|x, y| value(&normal, x, y).dot(value(&light, x, y)));
@@ -149,8 +149,8 @@ fn a_highlight_strays_no_further_than_its_bound() {
     for index in 0..6000 {
         let [normal, light, eye] = scene(&mut random);
         let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
-        let places = square(1.0);
-        let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector, &places));
+        let extents = square(1.0);
+        let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector, &extents));
         if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
             continue;
         }
@@ -257,12 +257,12 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     // o and r are 60 degrees apart, so |r - o| = 1. Only l moves, along x, with p = q = 1/10: E_1 = 0.1,
     // E_2 = 0.02 / sqrt(3), E_3 = 0.003. For rho = 1 the third derivative is at most 3 E_1 E_2 + |r - o| E_3.
     let number = |value| f64x4::splat(token(), value);
-    let places = square(0.5);
+    let extents = square(0.5);
     let vector = Affine {
         centre: DVec3::Z,
         ..Affine::default()
     };
-    let resting = Field::new(&vector, &places);
+    let resting = Field::new(&vector, &extents);
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
     let range = [0.5, 0.5, 0.75_f64.sqrt()].map(number);
@@ -274,14 +274,14 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
 #[test]
 fn the_motion_of_a_vector_does_not_depend_on_its_scale() {
     // At 2^-283 the square of the area of two steps is below the smallest f64.
-    let places = square(1.0);
+    let extents = square(1.0);
     let field = |scale: f64| {
         let vector = Affine {
             centre: DVec3::new(0.0, 0.0, 2.0) * scale,
             dx: DVec3::new(0.05, 0.0, 0.25) * scale,
             dy: DVec3::new(0.0, 0.05, 0.25) * scale,
         };
-        Field::new(&vector, &places)
+        Field::new(&vector, &extents)
     };
     for scale in [2.0_f64.powi(-283), 2.0_f64.powi(283)] {
         let [one, other] = [field(1.0), field(scale)];

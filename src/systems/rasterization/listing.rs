@@ -70,7 +70,7 @@ impl DrawList {
         half: DVec3,
         projected: &Projected,
     ) {
-        for (number, polygons) in projected.polygons.as_chunks::<2>().0.iter().enumerate() {
+        for (index, polygons) in projected.polygons.as_chunks::<2>().0.iter().enumerate() {
             if polygons.iter().all(|polygon| polygon.len == 0) {
                 continue;
             }
@@ -78,13 +78,12 @@ impl DrawList {
             for spans in covered {
                 if !spans.is_empty() {
                     self.pieces.push(Piece {
-                        id: id + 2 * number as u32,
+                        id: id + 2 * index as u32,
                         object: self.objects.len(),
                         row,
                         spans,
-                        nearness: nearness(number, transform, half, &self.rays),
-                        range: self
-                            .range(FACES[number].map(|it| projected.seen[usize::from(it)].z)),
+                        nearness: nearness(index, transform, half, &self.rays),
+                        range: self.range(FACES[index].map(|it| projected.seen[usize::from(it)].z)),
                     });
                 }
             }

@@ -101,14 +101,14 @@ proptest! {
         let face = Face::new(2, &cuboid, edges, &rays);
         let simd = baseline().expect("every machine has the baseline");
         let lanes = |place: [f64; 2]| place.map(|number| f64x4::splat(simd, number));
-        let places = Extents { middle: lanes(middle), half: lanes(half) };
+        let extents = Extents { middle: lanes(middle), half: lanes(half) };
         let w = |x: f64, y: f64| face.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
         let gouraud = Gouraud::new(&face, &[DVec3::splat(100.0); 8], 0.5);
         let mut colors = TileColors::default();
-        gouraud.prepare(simd, &places, true, &mut colors);
+        gouraud.prepare(simd, &extents, true, &mut colors);
         let by_vertex = colors.in_f32 & 1 == 1;
         prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);
 
@@ -137,7 +137,7 @@ proptest! {
         let levels = phong.levels_f64(middle[0], middle[1]);
         prop_assert!(levels.abs_diff_eq(DVec3::splat(100.0), 1e-6), "{levels} at {place:?}");
         let mut tile = TileLights::default();
-        phong.prepare(simd, &places, true, &mut tile);
+        phong.prepare(simd, &extents, true, &mut tile);
         prop_assert!(tile.in_f32 & 1 == 0 || face.is_steady(least));
     }
 }

@@ -5,7 +5,7 @@ use shadetrade::components::{LightKind, ShadingMode};
 use shadetrade::frame::display_step;
 use shadetrade::probe::{DrawnPixel, Probe};
 use shadetrade::scene::SceneRecord;
-use shadetrade::shading::TileKind;
+use shadetrade::shading::TileKind::{InF64, Linear, PerPixel, Quadratic};
 
 use super::surface_of;
 
@@ -71,11 +71,11 @@ fn unit_vectors_are_as_short_as_their_mean() {
 fn the_cost_is_that_of_the_square() {
     use ShadingMode::{Gouraud, Phong, UnitVectors};
     for (mode, kind, words) in [
-        (Phong, TileKind::Quadratic, ["Nine", "all pixels"]),
-        (Phong, TileKind::PerPixel, ["An evaluation", "every pixel"]),
-        (Gouraud, TileKind::Linear, ["No evaluation", "its square"]),
-        (Gouraud, TileKind::PerPixel, ["No evaluation", "every"]),
-        (UnitVectors, TileKind::InF64, ["An evaluation", "f64"]),
+        (Phong, Quadratic, ["Nine", "all pixels"]),
+        (Phong, PerPixel, ["An evaluation", "every pixel"]),
+        (Gouraud, Linear, ["No evaluation", "its square"]),
+        (Gouraud, PerPixel, ["No evaluation", "every pixel"]),
+        (UnitVectors, InF64, ["An evaluation", "f64"]),
     ] {
         let drawn = DrawnPixel {
             mode,
