@@ -141,6 +141,7 @@ impl Command {
             Command::Prove(it) if it.json => (&it.output, "--json"),
             Command::Requires(it) if it.json => (&it.output, "--json"),
             Command::Replay(it) if it.hash => (&it.output, "--hash"),
+            // The others have one result, or none on standard output.
             _ => return Ok(()),
         };
         if *file == Some(Output::Stdout) {

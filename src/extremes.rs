@@ -1,4 +1,4 @@
-//! Scenes with numbers at the ends of their ranges, and proofs of their pictures.
+//! Scenes with extreme numbers, and proofs of their pictures.
 //!
 //! Each file of `assets/extremes` is a scene, built in as `extremes/NAME`. Its first line describes the extreme and the right
 //! picture. Every pixel of its pictures is proven: from each camera, in both projections and modes, exactly and within half a
@@ -29,8 +29,8 @@ const FOLDER: &str = "extremes/";
 /// Width and height of a picture where the index names none, in pixels.
 pub const SIZE: [usize; 2] = [144, 108];
 
-/// All pictures from one camera show cuboids at least at this part of the pixels of one of them: fewer prove little.
-const FEW: u64 = 70;
+/// The pictures from one camera together show cuboids at one of this many pixels of a picture at least: fewer prove little.
+const PIXELS_A_COVERED_ONE: u64 = 70;
 
 /// Every picture is proven at these.
 const TOLERANCES: [f64; 2] = [0.0, 0.5];
@@ -220,7 +220,8 @@ impl Extreme {
                 }
             }
             ensure!(
-                seen * FEW >= (self.size[0] * self.size[1]) as u64 || self.fact.is_some(),
+                seen * PIXELS_A_COVERED_ONE >= (self.size[0] * self.size[1]) as u64
+                    || self.fact.is_some(),
                 "camera {camera}: only {seen} pixels show a cuboid"
             );
             covered += seen;

@@ -17,9 +17,9 @@
 //! `Material` and a `ShadingMode`; the viewer has a `Viewer` with the active camera, the projection, the tolerance and the
 //! other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
-//! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] and [`scene::SceneRecord::of`] are
-//! inverse to each other, serde reads it from a TOML file and writes it to JSON, and [`scene::updated`]
-//! saves it into the file's text, comments kept.
+//! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
+//! [`scene::SceneRecord::of`] takes it from a world. serde reads it from a TOML file and writes it to JSON, and
+//! [`scene::updated`] saves it into the file's text, comments kept.
 //! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large and how
 //! precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
 //!
@@ -131,7 +131,7 @@
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::prove::prove;
 //!
-//! // The same, proven: each pixel differs by at most half a level from every value of its enclosure.
+//! // The same, proven: each pixel is within half a level of every value of an enclosure of its exact levels.
 //! let level = fearless_simd::Level::new();
 //! let proof = prove(&mut scene.world, &view, None, level, Monitor::NONE)?;
 //! assert_eq!(proof.proven, 320 * 240);
@@ -168,7 +168,8 @@
 //!   `assets/scenes/cuboid.toml`, which is its tooltip;
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
 //!   `window/actions.rs` that writes components; help and tooltips show it by themselves;
-//! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`.
+//! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`; in `cli.rs`, a row of
+//!   `start_threads` if it evaluates the reference, and of `check_standard_output` if it can write two results.
 //!
 //! # Who may import whom
 //!

@@ -6,10 +6,11 @@
 //! World --reference over intervals--> faces that each pixel may show, and their levels
 //!       --reference over f64--> the reference's own error
 //! ```
-//! A pixel is proven if it shows a face that it may show, and every value of that face's interval is within the limit of
-//! the drawn levels. It is refuted if it shows another face, or no value is within the limit. Else it is undecided. Each
-//! byte must be the display step of a level within the limit. A PNG does not say which face a pixel shows: each one that
-//! the pixel may show is tried. Differences are rounded outwards.
+//! An enclosure holds the exact levels of a face. Where the sign of n.l is undecided, a face has several, with and without
+//! highlights, and a pixel may show any of them. A pixel is proven if it shows a face that it may show, and every value of
+//! one of that face's enclosures is within the limit of the drawn levels. It is refuted if it shows another face, or no
+//! value is within the limit. Else it is undecided. Each byte must be the display step of a level within the limit. A PNG
+//! does not say which face a pixel shows: each one that the pixel may show is tried. Differences are rounded outwards.
 
 pub mod command;
 mod png;
@@ -254,7 +255,7 @@ impl Proof {
             self.worst = self.worst.max(error[1]);
         } else {
             let face = compared(shown.face, seen);
-            // Where a face has several enclosures, the exact value lies in one of them.
+            // The hull of the face's enclosures.
             let enclosure = [0, 1, 2].map(|channel| {
                 let same = seen.iter().filter(|seen| seen.face() == face);
                 let same = same.map(|seen| ends(seen.levels)[channel]);

@@ -27,7 +27,7 @@ mod sample;
 mod sight;
 
 pub use self::interval::Interval;
-pub use self::picture::{DEPTH_TIE, Reference, Seen, Truth, picture};
+pub use self::picture::{Reference, Seen, Truth, picture};
 pub use self::real::Real;
 pub use self::rule::Rule;
 pub use self::sample::{LightSample, Sample, in_row};

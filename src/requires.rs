@@ -6,8 +6,9 @@
 //!    '--without a part--> reference over intervals --> levels of each pixel --+
 //! ```
 //! One part is left out at a time. The error of a pixel is the largest difference of displayed levels over the channels.
-//! Both pictures are enclosed in intervals, so the error lies in an interval too. The largest error of the picture is
-//! at least the largest lower end and at most the largest upper end.
+//! Both pictures are enclosed in intervals, so the error lies in an interval too. (Without f64 the picture is the reference
+//! in f32, whose levels are known.) The largest error of the picture is at least the largest lower end and at most the
+//! largest upper end.
 //!
 //! A part is not required if the picture without it is proven to keep the tolerance. Near an edge or a tied gate a pixel may
 //! show one of several colours. Both pictures are taken to make the same choice: a colour of one is compared with the nearest
@@ -39,13 +40,13 @@ pub enum Part {
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
     /// f64. Without the part the reference is evaluated in f32; only the bounds of a cuboid on the screen stay intervals.
-    F64SetUp,
+    F64,
 }
 
 impl Part {
     /// Whether a scene file can leave the part out, and the renderer draw without it.
     pub fn is_in_file(self) -> bool {
-        !matches!(self, Part::Rule(_) | Part::F64SetUp)
+        !matches!(self, Part::Rule(_) | Part::F64)
     }
 }
 
@@ -84,7 +85,7 @@ pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     parts.push(rule(Rule::DepthTest, "depth test"));
     parts.push(rule(Rule::NearPlane, "near plane"));
     parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", it.name))));
-    parts.push((Part::F64SetUp, "f64 set-up".to_owned()));
+    parts.push((Part::F64, "f64 set-up".to_owned()));
     parts
 }
 
@@ -95,7 +96,7 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
         match *part {
             Part::Light(light) => record.light[light].on = false,
             Part::EveryPixel(cuboid) => record.cuboid[cuboid].shading = ShadingMode::Gouraud,
-            Part::Rule(_) | Part::Cuboid(_) | Part::F64SetUp => {}
+            Part::Rule(_) | Part::Cuboid(_) | Part::F64 => {}
         }
     }
     let mut scene = Scene::spawn(scene.name.clone(), &record);
@@ -147,7 +148,7 @@ pub fn changes(
     let all = left_out.len().div_ceil(AT_ONCE) * height;
     let mut changes = Vec::with_capacity(left_out.len());
     for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
-        let is_enclosed = |parts: &[Part]| !parts.contains(&Part::F64SetUp);
+        let is_enclosed = |parts: &[Part]| !parts.contains(&Part::F64);
         let picture = |parts: &Vec<Part>| {
             let world = &without(scene, parts).world;
             let rule = parts.iter().find_map(|part| match part {

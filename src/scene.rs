@@ -44,7 +44,7 @@ pub const BUILT_IN: [(&str, &str); 4] = [
     ),
 ];
 
-/// The built-in scenes with numbers at the ends of their ranges, as name (`extremes/NAME`) and text, ordered by name.
+/// The built-in scenes with extreme numbers, as name (`extremes/NAME`) and text, ordered by name.
 pub const EXTREMES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/extremes.rs"));
 
 /// The built-in scene of this name. Such a name wins over a file.

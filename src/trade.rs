@@ -10,12 +10,12 @@
 //!
 //! ```text
 //! error |  o            o   on the front
-//!       |     o    x    x   beaten: another method is as good in one way and better in the other
+//!       |     o    x    x   beaten
 //!       |        o      x
 //!       +---------------- time
 //! ```
-//! A method is off the front if another errs less in a median time that is no longer, or errs as much and is measurably
-//! faster.
+//! The methods on the front are the best trades. A method is beaten if another errs less in a median time that is no longer, or
+//! errs as much and is measurably faster.
 
 pub mod accuracy;
 pub mod batch;

@@ -57,7 +57,7 @@ impl ProbedSurface {
             LightKind::Diffuse => "n.l".to_owned(),
             LightKind::Specular => format!("(o.r)^{}", self.shininess),
         };
-        let [a, b, c] = light.at_corners;
+        let [a, b, c] = light.corner_factors;
         let evidence = format!(
             "{factor} of {name} is {a:.2}, {b:.2} and {c:.2} at the vertices, and {here:.2} here."
         );
@@ -78,7 +78,7 @@ impl ProbedSurface {
             format!("No vertex lies in the highlight of {name}, so interpolation cannot find it")
         } else if !is_specular && is_less && here > most {
             format!("The surface faces {name} more here than at any vertex")
-        } else if !is_specular && light.at_corners.contains(&0.0) {
+        } else if !is_specular && light.corner_factors.contains(&0.0) {
             format!(
                 "A vertex faces away from {name}: n.l ends at 0 there, where a straight line begins"
             )

@@ -78,7 +78,7 @@ pub fn run(
     Ok(())
 }
 
-/// The colour of a pixel in the map. A proven pixel is darker than in the picture.
+/// The colour of a pixel in the map. A proven pixel away from edges has its colour in the picture, darkened.
 fn color(pixel: u32, mark: Mark) -> u32 {
     match mark.verdict {
         Verdict::Refuted => REFUTED,

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::edge;
-use super::geometry::{CuboidGeometry, FacePoint, across, along, descent, signed};
+use super::geometry::{CuboidGeometry, FacePoint, across, descent, face_axes, signed};
 use super::real::{Real, RealVector};
 use super::sight::Line;
 use crate::components::Projection;
@@ -16,12 +16,12 @@ impl<R: Real> CuboidGeometry<R> {
         let mut places = match descent(face, line).sign(0.0) {
             Some(Ordering::Greater) => {
                 let place = self.place(face, line);
-                vec![place, self.held(face, place.point)]
+                vec![place, self.clamped(face, place.point)]
             }
             Some(_) if !turned.is_empty() => Vec::new(),
             _ => {
                 let [from, to] = self.ends();
-                vec![self.held(face, from.zip(to, R::either))]
+                vec![self.clamped(face, from.zip(to, R::either))]
             }
         };
         places.extend(turned);
@@ -38,9 +38,9 @@ impl<R: Real> CuboidGeometry<R> {
         }
         let (across, outwards) = across(face);
         let descent = descent(face, line);
-        let near = edge::hypot(self.step.map(|step| step.0[across]));
+        let step = edge::hypot(self.step.map(|step| step.0[across]));
         let end = |axis: usize| {
-            let ahead = line.along.0[axis];
+            let ahead = line.direction.0[axis];
             let end = self.end(
                 axis,
                 if ahead.sign(0.0)? == Ordering::Less {
@@ -49,24 +49,24 @@ impl<R: Real> CuboidGeometry<R> {
                     1.0
                 },
             );
-            // 1 / t, where `along * t` reaches the end.
+            // 1 / t, where `direction * t` reaches the end.
             let pace = ahead / end;
             let turn = self.height(face) * pace - descent;
             let is_ahead = pace.sign(0.0)? == Ordering::Greater;
             let may_be = |number: R| number.sign(0.0) != Some(Ordering::Less);
-            (is_ahead && may_be(turn) && may_be(R::of(edge::EDGE) * near - turn))
+            (is_ahead && may_be(turn) && may_be(R::of(edge::EDGE) * step - turn))
                 .then_some((axis, end, pace))
         };
-        let ends: Vec<_> = along(across).into_iter().filter_map(end).collect();
+        let ends: Vec<_> = face_axes(across).into_iter().filter_map(end).collect();
         let is_first = |(_, _, pace): &&(usize, R, R)| {
             let mut others = ends.iter();
             others.all(|(_, _, other)| (*pace - *other).sign(0.0) != Some(Ordering::Less))
         };
         let place = |&(axis, end, pace): &(usize, R, R)| {
-            let mut point = line.along.zip(RealVector([pace; 3]), R::div);
+            let mut point = line.direction.zip(RealVector([pace; 3]), R::div);
             point.0[across] = self.end(across, outwards);
             point.0[axis] = end;
-            self.held(face, point)
+            self.clamped(face, point)
         };
         ends.iter().filter(is_first).map(place).collect()
     }
@@ -77,12 +77,12 @@ impl<R: Real> CuboidGeometry<R> {
     }
 
     /// A point clamped to the face.
-    fn held(&self, face: usize, point: RealVector<R>) -> FacePoint<R> {
+    fn clamped(&self, face: usize, point: RealVector<R>) -> FacePoint<R> {
         let (axis, outwards) = across(face);
         let [from, to] = self.ends();
         let point = point.zip(from, R::max).zip(to, R::min);
         let share = self.share(face, point);
-        let [u, v] = along(axis).map(|axis| share.0[axis]);
+        let [u, v] = face_axes(axis).map(|axis| share.0[axis]);
         let order = signed(outwards, u - v).sign(0.0);
         FacePoint {
             point,

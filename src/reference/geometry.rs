@@ -89,7 +89,7 @@ pub fn signed<R: Real>(sign: f64, x: R) -> R {
 }
 
 /// The two axes within a face perpendicular to `axis`.
-pub fn along(axis: usize) -> [usize; 2] {
+pub fn face_axes(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 
@@ -106,7 +106,7 @@ fn in_axes<R: Real>(axes: &[RealVector<R>; 3], v: RealVector<R>) -> RealVector<R
 /// w: the speed at which the line approaches the plane of a face. The line hits the plane only if it is positive.
 pub fn descent<R: Real>(face: usize, line: &Line<R>) -> R {
     let (axis, outwards) = across(face);
-    signed(-outwards, line.along.0[axis])
+    signed(-outwards, line.direction.0[axis])
 }
 
 impl<R: Real> CuboidGeometry<R> {
@@ -178,7 +178,7 @@ impl<R: Real> CuboidGeometry<R> {
 
     fn face(&self, number: usize, fronts: [Option<Ordering>; 6]) -> FaceEdges<R> {
         let (k, outwards) = across(number);
-        let [i, j] = along(k);
+        let [i, j] = face_axes(k);
         // From the eye to a point of the face: on the edge at this end of `axis`, or in the middle of the face for 0.
         let to = |axis: usize, end: f64| {
             let mut way = -self.eye;
@@ -187,13 +187,13 @@ impl<R: Real> CuboidGeometry<R> {
             way
         };
         // The distance along `axis` at which a line passes that point, times the line's speed towards the face.
-        let passing = |axis: usize, to: RealVector<R>, along: RealVector<R>| {
-            along.0[k] * to.0[axis] - along.0[axis] * to.0[k]
+        let passing = |axis: usize, to: RealVector<R>, direction: RealVector<R>| {
+            direction.0[k] * to.0[axis] - direction.0[axis] * to.0[k]
         };
         let ends = [(i, -1.0), (i, 1.0), (j, -1.0), (j, 1.0)];
         let edges = ends.map(|(axis, end)| {
             let sign = R::of(-end * outwards);
-            self.edge(to(axis, end), |to, along| sign * passing(axis, to, along))
+            self.edge(to(axis, end), |to, ahead| sign * passing(axis, to, ahead))
         });
         let is_shared = ends.map(|(axis, end)| {
             fronts[2 * axis + usize::from(end < 0.0)] == Some(Ordering::Greater)
@@ -202,8 +202,8 @@ impl<R: Real> CuboidGeometry<R> {
         // Ratios, because products of lengths may overflow f64.
         let [half_i, half_j] = [i, j].map(|axis| self.half(axis));
         let longer = half_i.max(half_j);
-        let diagonal = self.edge(to(i, 0.0), |to, along| {
-            let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, along));
+        let diagonal = self.edge(to(i, 0.0), |to, direction| {
+            let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, direction));
             of_i * (half_j / longer) - of_j * (half_i / longer)
         });
         // The eye's height above the face, minus the line's descent up to the near plane.
@@ -241,13 +241,13 @@ impl<R: Real> CuboidGeometry<R> {
         let [width, height] = sight.size.map(|pixels| pixels as f64 / 2.0);
         let pixel = [x as f64 + 0.5 - width, y as f64 + 0.5 - height];
         let moved = self.step[0] * R::of(pixel[0]) + self.step[1] * R::of(pixel[1]);
-        let (offset, along) = match self.projection {
+        let (offset, direction) = match self.projection {
             Projection::Perspective => (RealVector::exact(DVec3::ZERO), self.forward + moved),
             Projection::Orthographic => (moved, self.forward),
         };
         Line {
             offset,
-            along,
+            direction,
             pixel,
         }
     }
@@ -319,13 +319,13 @@ impl<R: Real> CuboidGeometry<R> {
     /// The intersection of the line with the plane of a face.
     pub fn place(&self, number: usize, line: &Line<R>) -> FacePoint<R> {
         let (axis, outwards) = across(number);
-        let mut point = line.offset + line.along * self.depth(number, line);
+        let mut point = line.offset + line.direction * self.depth(number, line);
         point.0[axis] = self.end(axis, outwards);
         let face = self.faces[number].as_ref();
         FacePoint {
             point,
             share: self.share(number, point),
-            to_eye: -line.along.unit(),
+            to_eye: -line.direction.unit(),
             is_on_first: face.and_then(|face| face.diagonal.side(line.pixel, 0.0)),
         }
     }
@@ -350,7 +350,7 @@ impl<R: Real> CuboidGeometry<R> {
     /// ```
     pub fn weights(face: usize, is_first: bool, place: &FacePoint<R>) -> ([usize; 3], [R; 3]) {
         let (axis, outwards) = across(face);
-        let [u, v] = along(axis).map(|axis| place.share.0[axis]);
+        let [u, v] = face_axes(axis).map(|axis| place.share.0[axis]);
         let half = R::of(0.5);
         let is_swapped = is_first != (outwards > 0.0);
         let (larger, smaller) = if is_swapped { (v, u) } else { (u, v) };

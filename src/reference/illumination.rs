@@ -124,7 +124,7 @@ impl<R: Real> ReferenceSurface<R> {
         self.without != Some(Rule::PerspectiveCorrect)
     }
 
-    /// The factor of a light's levels in the model: 1, max(0, n.l) or the gated max(0, o.r)^rho. `to_light` is l; `tied`
+    /// The factor of a light's levels in the model: 1, max(0, n.l) or the gated max(0, o.r)^rho. `to_light` is l; `if_tied`
     /// opens a tied gate.
     pub fn factor(
         &self,
@@ -132,24 +132,24 @@ impl<R: Real> ReferenceSurface<R> {
         normal: RealVector<R>,
         to_eye: RealVector<R>,
         to_light: RealVector<R>,
-        tied: bool,
+        if_tied: bool,
     ) -> R {
         let (zero, one) = (R::of(0.0), R::of(1.0));
         let power = || {
             let reflected = reflection(normal, to_light);
-            let along = to_eye.dot(reflected);
-            let along = if self.without == Some(Rule::UnitNormal) {
-                along
+            let cosine = to_eye.dot(reflected);
+            let cosine = if self.without == Some(Rule::UnitNormal) {
+                cosine
             } else {
                 // For unit vectors |r - o|^2 / 2 is 1 - o.r, and its enclosure is tighter where o.r is nearly 1.
-                along.both(one - (reflected - to_eye).length_squared() / R::of(2.0))
+                cosine.both(one - (reflected - to_eye).length_squared() / R::of(2.0))
             };
-            along.max(zero).min(one).power(self.shininess)
+            cosine.max(zero).min(one).power(self.shininess)
         };
         match kind {
             LightKind::Ambient => one,
             LightKind::Diffuse => normal.dot(to_light).max(zero),
-            LightKind::Specular => match normal.dot(to_light).gate(tied) {
+            LightKind::Specular => match normal.dot(to_light).gate(if_tied) {
                 _ if self.without == Some(Rule::SpecularGate) => power(),
                 Some(true) => power(),
                 Some(false) => zero,

@@ -101,9 +101,9 @@ impl Real for Interval {
         }
     }
 
-    fn gate(self, tied: bool) -> Option<bool> {
+    fn gate(self, if_tied: bool) -> Option<bool> {
         match self.endpoints() {
-            _ if self.is_tied() => Some(tied),
+            _ if self.is_tied() => Some(if_tied),
             [least, _] if least > 0.0 => Some(true),
             [_, largest] if largest <= 0.0 => Some(false),
             _ => None,

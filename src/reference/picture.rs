@@ -21,7 +21,7 @@ use crate::report::Monitor;
 
 /// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
 /// in f64 separates two coplanar faces by far less, and a visible gap is far larger.
-pub const DEPTH_TIE: f64 = 1e-11;
+const DEPTH_TIE: f64 = 1e-11;
 
 /// Rows of the reference picture in f64.
 #[derive(Clone, Debug, PartialEq)]

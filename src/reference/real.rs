@@ -1,7 +1,7 @@
 //! The number types of the reference, and vectors of three numbers. f64 and f32 hold one rounded value, an interval
 //! encloses the exact one.
 //!
-//! A comparison of an interval that holds values of both answers is undecided (`None`). No caller takes undecided for no.
+//! A comparison of an interval that holds values of both answers is undecided (`None`).
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -29,8 +29,8 @@ pub trait Real:
     /// `margin` from 0, or if `margin` is 0 and it is exactly 0. A float ignores the margin.
     fn sign(self, margin: f64) -> Option<Ordering>;
 
-    /// Whether the gate of a specular light with this n.l is open. For a tied gate the result is `tied`.
-    fn gate(self, _tied: bool) -> Option<bool> {
+    /// Whether the gate of a specular light with this n.l is open. For a tied gate the result is `if_tied`.
+    fn gate(self, _if_tied: bool) -> Option<bool> {
         Some(self.sign(0.0) == Some(Ordering::Greater))
     }
 

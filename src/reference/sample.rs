@@ -51,7 +51,7 @@ pub struct LightSample {
     pub factor: f64,
     /// The factor at the corners of the triangle, in its order.
     #[serde(skip)]
-    pub at_corners: [f64; 3],
+    pub corner_factors: [f64; 3],
     /// Coefficient of the material * colour * intensity * gain, in levels of 255.
     #[serde(skip)]
     pub strength: DVec3,
@@ -95,8 +95,8 @@ impl Reference<f64> {
         let lights = lights.map(|(index, (light, name))| {
             let to_light = surface.to_light(index, place);
             let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
-            let factors = corners.map(|corner| surface.factor_at_corner(index, corner));
-            let at_corners = factors.map(|factor| light.levels * factor);
+            let corner_factors = corners.map(|corner| surface.factor_at_corner(index, corner));
+            let corner_levels = corner_factors.map(|factor| light.levels * factor);
             let is_directed =
                 light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
             let directed = |vector| is_directed.then(|| to_world(vector));
@@ -106,9 +106,9 @@ impl Reference<f64> {
                 to_light: directed(to_light),
                 reflected: directed(reflection(normal, to_light)),
                 factor,
-                at_corners: factors,
+                corner_factors,
                 strength: light.levels.to_dvec3(),
-                gouraud: blend(at_corners, weights).to_dvec3(),
+                gouraud: blend(corner_levels, weights).to_dvec3(),
                 phong: (light.levels * factor).to_dvec3(),
             }
         });

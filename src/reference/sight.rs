@@ -30,11 +30,11 @@ pub struct Sight<R> {
     pub size: [usize; 2],
 }
 
-/// The line of sight through a pixel centre, `offset + along * t`, relative to the eye and in the cuboid's axes.
+/// The line of sight through a pixel centre, `offset + direction * t`, relative to the eye and in the cuboid's axes.
 pub struct Line<R> {
     /// The start of the line relative to the eye; zero in perspective.
     pub offset: RealVector<R>,
-    pub along: RealVector<R>,
+    pub direction: RealVector<R>,
     /// Its offset from the picture's centre, right and down.
     pub pixel: [f64; 2],
 }

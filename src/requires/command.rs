@@ -41,8 +41,8 @@ const LEGEND: &str = "One part is left out at a time. largest error: in levels o
     without the part is not proven to keep the tolerance.";
 
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
-    fewest bits of significand, 2 to 24, that keep the tolerance; largest error: with that number of bits, in levels of 255, \
-    proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
+    least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \
+    number of bits, in levels of 255, proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
 
 /// How long the share of each part is measured.
 const TIME: Duration = Duration::from_millis(250);
@@ -134,8 +134,8 @@ fn table(rows: &[PartRow]) -> String {
     aligned(&head, &rows.iter().map(cells).collect::<Vec<_>>())
 }
 
-/// Writes the scene without as many parts as can be left out together. Only parts that a scene file can leave out are
-/// tried, the part with the least error first.
+/// Writes a scene without parts that it does not require. Only parts that a scene file can leave out are tried, each once,
+/// the part with the least error first: another order may leave out more.
 fn write_least(
     subject: &str,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! Spawns a record as a [`World`], and takes a record from a world. The two are inverse.
+//! Spawns a record as a [`World`], and takes a record from a world.
 
 use hecs::World;
 

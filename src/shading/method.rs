@@ -29,7 +29,7 @@ impl Method {
     }
 }
 
-/// A method of the ladder.
+/// A method with a name.
 const fn method(id: &'static str, mode: ShadingMode, tolerance: f64) -> Method {
     Method {
         id,
@@ -38,7 +38,7 @@ const fn method(id: &'static str, mode: ShadingMode, tolerance: f64) -> Method {
     }
 }
 
-/// The ladder from cheap to true that reports climb.
+/// The methods of a report: by mode, exact Phong last.
 pub const METHODS: &[Method] = &[
     method("gouraud-0", ShadingMode::Gouraud, 0.0),
     method("gouraud-0.5", ShadingMode::Gouraud, 0.5),
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ladder_has_unique_names_and_ends_with_the_truth() {
+    fn methods_have_unique_names_and_end_with_exact_phong() {
         let mut ids: Vec<_> = METHODS.iter().map(|method| method.id).collect();
         ids.sort_unstable();
         ids.dedup();

@@ -13,7 +13,6 @@ use std::time::Duration;
 use super::batch::time_here;
 use super::verdict::method_name;
 use super::{Measurement, Request, measure};
-use crate::components::ShadingMode;
 use crate::drawing::Drawing;
 use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
@@ -29,13 +28,11 @@ const SETBACK: u32 = 4;
 /// The time for timing frames, of all methods together, before one picture is drawn.
 const MEASURING_TIME: Duration = Duration::from_secs(1);
 
-/// The methods of the front and their milliseconds, the fastest and least exact first, without the assignment's shortcut.
-pub fn ladder(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
-    let is_step = |it: &&Measurement| it.on_front && it.method.mode != ShadingMode::UnitVectors;
-    let mut steps: Vec<_> = measured.iter().filter(is_step).collect();
-    steps.sort_by(|one, other| one.timing.median.total_cmp(&other.timing.median));
-    let steps = steps.iter().map(|it| (it.method, it.timing.median));
-    steps.unzip()
+/// The best trades and their milliseconds, the fastest and least exact first.
+pub fn best_trades(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
+    let mut best: Vec<_> = measured.iter().filter(|it| it.on_front).collect();
+    best.sort_by(|one, other| one.timing.median.total_cmp(&other.timing.median));
+    best.iter().map(|it| (it.method, it.timing.median)).unzip()
 }
 
 /// The index of the most exact method that fits, or of the fastest if none fits.
@@ -90,7 +87,7 @@ impl Hold {
 
 /// The method that holds a budget, and its time and error in words. `None` if nothing is drawn.
 pub fn held(measured: &[Measurement], budget: f64) -> Option<(&Measurement, String)> {
-    let (methods, costs) = ladder(measured);
+    let (methods, costs) = best_trades(measured);
     let place = fitting(&costs, budget);
     let (method, cost) = (*methods.get(place)?, costs[place]);
     let chosen = measured.iter().find(|it| it.method == method)?;

@@ -1,8 +1,8 @@
 //! The errors of a picture in colours, and the legend of the colours.
 //!
-//! A scale runs from 0 to its top, evenly in log(1 + 1020 error / top), so it shows half a level of 255 and a thousandth of a
-//! level alike. All files have the widest scale, so their colours can be compared. The window takes the narrowest scale that
-//! holds its errors.
+//! A scale runs from 0 to its top, evenly in log(1 + 1020 error / top), so small errors are visible beside large
+//! ones. All files have the widest scale, so their colours can be compared. The window takes the narrowest scale that holds
+//! its errors.
 
 use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
 

@@ -21,7 +21,7 @@ const COLUMNS: [Column; 6] = [
     }),
 ];
 
-/// Each batch is a run.
+/// A batch of a report is a run of a process of its own.
 const RANGE: &str = "range of 8 runs";
 const _: () = assert!(BATCHES == 8);
 
@@ -99,9 +99,10 @@ fn legend(report: &Report) -> String {
     };
     format!(
         "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \
-         greatest median of a run, each a process of its own; times whose ranges overlap are not told apart. Largest error: \
+         greatest median of a run, each a process of its own. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
-         belongs. Best trade: nothing beats it in error and time both.{note}"
+         belongs. Best trade: no other method errs less in a median time that is no longer, or errs as much in times whose \
+         range is wholly below.{note}"
     )
 }
 

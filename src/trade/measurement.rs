@@ -40,7 +40,7 @@ pub struct Report {
     pub methods: Vec<Measurement>,
 }
 
-/// The time of one method in a view, and its error. Each figure stands here once, under its name in `trade.json`.
+/// The time of one method in a view, and its error: a record of `trade.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measurement {
     #[serde(flatten)]
@@ -62,7 +62,7 @@ pub struct Measurement {
     pub edge_pixels: u64,
     /// The share of the highlight that is in its place, 0..=1; `None` if exact Phong shows none.
     pub highlight_kept: Option<f64>,
-    /// Whether no other method beats it in error and time both.
+    /// Whether it is a best trade: no other method beats it ([`super`]).
     pub on_front: bool,
     /// The error against exact Phong in the colours of [`super::error_map::Scale::WIDEST`], 0x00RRGGBB.
     #[serde(skip)]

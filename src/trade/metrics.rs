@@ -149,12 +149,12 @@ where
     U: Into<f64> + Copy,
 {
     let (mut errors, mut edge_pixels) = (Vec::new(), 0);
-    let (mut max, mut max_pixel) = (-1.0, 0);
+    let (mut max, mut max_pixel) = (-1.0, [0; 2]);
     for (index, pixel) in compared(left, right).enumerate() {
         match pixel {
             Pixel::Error(error) => {
                 if error > max {
-                    (max, max_pixel) = (error, index);
+                    (max, max_pixel) = (error, [index % left.width, index / left.width]);
                 }
                 errors.push(error);
             }
@@ -162,24 +162,23 @@ where
             Pixel::Nothing => {}
         }
     }
-    let max_pixel = [max_pixel % left.width, max_pixel / left.width];
     Difference {
-        error: (!errors.is_empty()).then(|| statistics(&mut errors, max_pixel)),
+        error: (!errors.is_empty()).then(|| statistics(&mut errors, max, max_pixel)),
         compared_pixels: errors.len() as u64,
         edge_pixels,
     }
 }
 
-/// The statistics of one or more errors. The largest is at `max_pixel`. Changes their order.
-fn statistics(errors: &mut [f64], max_pixel: [usize; 2]) -> ErrorStatistics {
+/// The statistics of one or more errors, the largest of which is `max`, at `max_pixel`. Changes their order.
+fn statistics(errors: &mut [f64], max: f64, max_pixel: [usize; 2]) -> ErrorStatistics {
     let count = errors.len() as f64;
     let over_1_level = errors.iter().filter(|error| **error > 1.0).count();
     let mean = errors.iter().sum::<f64>() / count;
     let mean_square = errors.iter().map(|error| error * error).sum::<f64>() / count;
     let rank = (errors.len() * 999).div_ceil(1000) - 1;
-    let (_, p999, above) = errors.select_nth_unstable_by(rank, f64::total_cmp);
+    let (_, p999, _) = errors.select_nth_unstable_by(rank, f64::total_cmp);
     ErrorStatistics {
-        max: above.iter().copied().fold(*p999, f64::max),
+        max,
         max_pixel,
         mean,
         rmse: mean_square.sqrt(),

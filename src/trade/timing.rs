@@ -1,6 +1,6 @@
 //! The clock of drawn frames, and robust statistics of their times.
 //!
-//! A run consists of [`BATCHES`]. Each starts with a new frame and a new copy of the scene. In a batch the methods take turns
+//! A measurement consists of [`BATCHES`]. Each starts with a new frame and a new copy of the scene. In a batch the methods take turns
 //! in random order, so that a slow moment of the machine affects all alike. The first frame of a turn warms caches and branch
 //! predictors and is not timed.
 //!
@@ -10,13 +10,13 @@
 //! batch 2   turn 1   ...
 //! ```
 //!
-//! Two times differ only if their intervals do not overlap.
+//! A time is measurably less than another if their intervals do not overlap.
 
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
-/// Batches of a run; see [`Timing::interval`].
+/// Batches of a measurement; see [`Timing::interval`].
 pub const BATCHES: usize = 8;
 
 /// The least samples of each method, however short the time: a median of fewer says little.

@@ -10,7 +10,7 @@ use super::widgets::{short, slider, two_digits};
 use crate::components::range::Milliseconds;
 use crate::components::{ShadingMode, Viewer};
 use crate::report::words::capital;
-use crate::trade::budget::{Hold, fitting, held, ladder, over};
+use crate::trade::budget::{Hold, best_trades, fitting, held, over};
 use crate::trade::verdict::method_name;
 
 /// The factor of a press of a key.
@@ -31,7 +31,7 @@ impl App {
     pub fn hold_time(&mut self) {
         let budget = self.viewer().budget;
         let measured = self.facts.trade.value.as_deref().unwrap_or_default();
-        let (methods, costs) = ladder(measured);
+        let (methods, costs) = best_trades(measured);
         let held = budget.filter(|_| !methods.is_empty()).map(|budget| {
             let is_current = self.facts.trade.current().is_some();
             if is_current || self.held.is_none() {

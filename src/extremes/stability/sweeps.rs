@@ -1,4 +1,4 @@
-//! The numbers that are swept, each over its whole range.
+//! The numbers that are swept, each over many powers of ten.
 //!
 //! One number varies. Where that would take the cuboid out of the picture, the camera follows.
 
@@ -18,7 +18,7 @@ pub struct Sweep {
     set: fn(&mut SceneRecord, f64),
 }
 
-/// The numbers that f32 or f64 cannot represent over their whole range.
+/// Over these ranges f32 or f64 does not always keep the tolerance.
 pub const SWEEPS: &[Sweep] = &[
     Sweep {
         number: "shininess",

@@ -64,7 +64,7 @@ fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
             };
             let other = without(&scene, &[part]).world;
             let levels = match part {
-                Part::F64SetUp => levels::<f32>(&other, &view, rule),
+                Part::F64 => levels::<f32>(&other, &view, rule),
                 _ => levels::<f64>(&other, &view, rule),
             };
             let is_certain = is_certain(&other, &view, rule);

@@ -223,9 +223,9 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     run(&mut app, |app| app.facts.trade.current().is_some());
     let measured = app.facts.trade.value.iter().flatten();
     let methods: Vec<Method> = measured.map(|it| it.method).collect();
-    let mut ladder = METHODS.to_vec();
-    ladder.retain(|it| it.mode != UnitVectors);
-    assert_eq!(methods, ladder);
+    let mut known = METHODS.to_vec();
+    known.retain(|it| it.mode != UnitVectors);
+    assert_eq!(methods, known);
     let [shown, beside] = [0.7, 0.3].map(|tolerance| Method::of(Phong, tolerance));
     app.choose_method(shown);
     let side = Side::Method {
@@ -236,7 +236,7 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     run(&mut app, |app| {
         app.measured(beside).is_some() && app.facts.comparison.current().is_some()
     });
-    assert!(ladder.iter().all(|it| app.measured(*it).is_some()));
+    assert!(known.iter().all(|it| app.measured(*it).is_some()));
     let shown = app.measured(shown).expect("it is measured");
     let mut world = app.state.spawn();
     let view = View::of(&world, app.picture_size());
