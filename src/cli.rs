@@ -53,7 +53,7 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Opens a window on a scene; without a display, draws the figures instead
+    /// Opens a window on a scene; without a display, scene and options, draws the figures instead
     #[command(
         mut_arg("size", |argument| argument.help("The size of the window in pixels, 1x1 to 16384x16384")),
         after_help = "\
@@ -92,7 +92,7 @@ Errors are in levels of 255, against Phong in f64.")]
 Example:
   shadetrade probe --pixel 480,300
 
-Levels are unclamped. The row `drawn` comes from the renderer, all else is evaluated in f64.")]
+Levels are unclamped. The rows `drawn` and `bytes` come from the renderer, all else is evaluated in f64.")]
     Probe(ProbeOptions),
     /// Proves, pixel by pixel, that a picture keeps its tolerance
     #[command(after_help = "\
@@ -118,7 +118,7 @@ Examples:
   shadetrade extremes --chart -o stability
 
 Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at
-tolerance 0 and 0.5. Exit status 1 if an extreme fails.")]
+tolerance 0 and 0.5; of some scenes in fewer pictures. Exit status 1 if an extreme fails.")]
     Extremes(ExtremesOptions),
     /// Plays a recording in a window, or draws it into a file
     #[command(after_help = "\

@@ -210,6 +210,19 @@ fn temporary_file(folder: &Path, content: &[u8]) -> io::Result<tempfile::NamedTe
     Ok(file)
 }
 
+/// Checks that a file may be at `path`.
+///
+/// # Errors
+/// If it is a directory, or its folder does not exist.
+pub fn check_place(path: &Path) -> anyhow::Result<()> {
+    ensure!(
+        !path.is_dir(),
+        "cannot write {}: it is a directory",
+        path.display()
+    );
+    check_folder(folder_of(path)).with_context(|| format!("cannot write {}", path.display()))
+}
+
 fn check_folder(folder: &Path) -> anyhow::Result<()> {
     ensure!(folder.is_dir(), "there is no folder {}", folder.display());
     Ok(())

@@ -162,7 +162,7 @@ pub fn changes(
             }
         };
         let pictures: Vec<PixelRows> = some.iter().map(picture).collect();
-        let by_row = monitor.in_parallel("leaving out", 0..height, [first, all], |y| {
+        let by_row = monitor.in_parallel("leaving out parts", 0..height, [first, all], |y| {
             let full = full(y);
             let change = |(picture, parts): (&PixelRows, &Vec<Part>)| {
                 let is_enclosed = is_enclosed(parts);

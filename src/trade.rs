@@ -47,6 +47,9 @@ use crate::report::progress::with_bar;
 use crate::report::words::counted;
 use crate::shading::{METHODS, Method};
 
+/// The files of a report, besides error maps.
+pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
+
 /// Times the batch with this number.
 pub type TimeBatch = fn(&Request, usize, Monitor) -> anyhow::Result<Batch>;
 
@@ -158,11 +161,12 @@ pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
 /// # Errors
 /// If one of them cannot be written.
 pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
-    let files = [
-        ("trade.json", output::json(report)?),
-        ("trade.md", export::markdown(report)),
-        ("trade.svg", plot::svg(report)?),
+    let texts = [
+        output::json(report)?,
+        export::markdown(report),
+        plot::svg(report)?,
     ];
+    let files: Vec<_> = FILES.into_iter().zip(texts).collect();
     output::write_texts(folder, &files)?;
     METHODS.par_iter().try_for_each(|Method { id, .. }| {
         let path = folder.join(format!("error-{id}.png"));

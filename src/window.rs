@@ -73,6 +73,7 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
     if let Some(path) = recording {
+        output::check_place(path)?;
         let file = File::create_new(path);
         let file = file.with_context(|| format!("cannot record to {}", path.display()))?;
         app.recorder = Some(Recorder::new(file));
@@ -84,31 +85,35 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Plays `log`, which begins with `drawing`, in a window until the user quits.
+/// Plays `log`, which begins with `drawing`, in a window until the user quits. Every frame has its recorded size; the window
+/// opens in the largest.
 ///
 /// # Errors
 /// As [`run`].
 pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
-    let mut display = Display::open("shadetrade", drawing.size)?;
+    let mut size = drawing.size;
+    let mut display = Display::open("shadetrade", log.canvas(size))?;
     let mut app = App::new(drawing, true)?;
     let mut frames = log.frames.iter().peekable();
     let mut script = |app: &mut App, now| {
         while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
             app.now = now;
             replay::play(app, frame)?;
+            size = frame.size().unwrap_or(size);
         }
-        Ok(frames.peek().map_or(Duration::MAX, |next| next.at))
+        let next = frames.peek().map_or(Duration::MAX, |next| next.at);
+        Ok((next, size))
     };
     show(&mut display, &mut app, Some(&mut script))
 }
 
-/// Takes the place of the user: changes the state, and returns the time of the next change.
-type Script<'a> = &'a mut dyn FnMut(&mut App, Duration) -> anyhow::Result<Duration>;
+/// Takes the place of the user: changes the state, and returns the time of the next change and the size of the frame.
+type Script<'a> = &'a mut dyn FnMut(&mut App, Duration) -> anyhow::Result<(Duration, [usize; 2])>;
 
 /// The loop of the window.
 fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> anyhow::Result<()> {
     let start = Instant::now();
-    let (mut title, mut size) = (String::new(), [0, 0]);
+    let (mut title, mut window, mut size) = (String::new(), [0, 0], [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
     while display.is_open() && !app.quits {
@@ -118,23 +123,29 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
         if has_events {
             last_event = now;
         }
-        let is_resized = std::mem::replace(&mut size, display.size()) != size;
+        let is_resized = std::mem::replace(&mut window, display.size()) != window;
         if has_events || is_resized || now >= due || app.receive(now) {
             let mut input = RawInput {
                 modifiers: display.input.modifiers,
                 events: std::mem::take(&mut display.input.events),
                 ..RawInput::default()
             };
-            let mut next = Duration::MAX;
+            let (mut next, mut kind) = (Duration::MAX, "");
+            size = window;
             if let Some(script) = &mut script {
                 app.quits = input.events.iter().any(quits);
                 input = RawInput::default();
-                next = script(app, now)?;
+                (next, size) = script(app, now)?;
+                kind = match next {
+                    Duration::MAX => "replay has ended, Q quits: ",
+                    _ => "replay, Q quits: ",
+                };
             }
             let output = app.step(now, size, input)?;
             due = now.saturating_add(output.repaint_after).min(next);
-            if title != app.title() {
-                title = app.title();
+            let new = format!("{kind}{}", app.title());
+            if title != new {
+                title = new;
                 display.set_title(&title);
             }
             if let Some(text) = output.copied

@@ -29,7 +29,7 @@ pub struct ViewOptions {
     #[command(flatten)]
     pub budget: BudgetOption,
     /// Records all events into a new file, for `replay`
-    #[arg(long, value_name = "LOG")]
+    #[arg(long, value_name = "LOG", value_parser = folder())]
     pub record: Option<PathBuf>,
 }
 
@@ -107,6 +107,11 @@ impl TradeOptions {
         } else {
             self.drawing.open(None)?
         };
+        for name in trade::FILES {
+            if let (Some(scene), Some(folder)) = (&drawing.scene.path, &self.output) {
+                options::refuse_to_replace(scene, &Output::File(folder.join(name)))?;
+            }
+        }
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
         let ids = self.methods.as_ref();
         let is_chosen = |it: &Method| ids.is_none_or(|ids| ids.iter().any(|id| id == it.id));
@@ -233,11 +238,11 @@ fn file(endings: &'static [&'static str]) -> impl TypedValueParser<Value = Outpu
     })
 }
 
-/// Refuses standard output, which cannot hold the files of a folder.
+/// Refuses standard output, which holds neither the files of a folder nor a recording.
 pub(super) fn folder() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| match path.to_str() {
-        Some("") => Err("a folder needs a name"),
-        Some("-") => Err("it is a folder, not standard output; ./- is a folder of that name"),
+        Some("") => Err("it needs a name"),
+        Some("-") => Err("it is not written to standard output; ./- has that name"),
         _ => Ok(PathBuf::from(path)),
     })
 }

@@ -14,7 +14,7 @@ use super::failure::Failure;
 use crate::components::range::Milliseconds;
 use crate::components::{Projection, ShadingMode, Viewer, overwrite, viewer_mut};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
-use crate::output::Output;
+use crate::output::{Output, check_place};
 use crate::scene::{BUILT_IN, MAX_SIDE, Scene};
 use crate::simd;
 
@@ -70,14 +70,11 @@ impl DrawingOptions {
     ///
     /// # Errors
     /// [`Failure::Usage`] if the scene is wrong or its file is `output`, or if it has no such camera or light. [`Failure::Work`] if
-    /// `output` is a directory.
+    /// `output` is a directory or in none.
     pub fn open(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
         let scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
-        if let Some(Output::File(path)) = output
-            && path.is_dir()
-        {
-            let path = path.display();
-            return Err(anyhow!("cannot write {path}: it is a directory").into());
+        if let Some(Output::File(path)) = output {
+            check_place(path)?;
         }
         if let (Some(path), Some(output)) = (&scene.path, output) {
             refuse_to_replace(path, output)?;
@@ -98,6 +95,8 @@ impl DrawingOptions {
         }
         if let Some(mode) = self.shading {
             overwrite(&mut scene.world, &mode);
+            // A budget chooses the shading, too.
+            viewer_mut(&mut scene.world).budget = None;
         }
         if let Some(projection) = self.projection {
             viewer_mut(&mut scene.world).projection = projection;
@@ -118,8 +117,8 @@ impl DrawingOptions {
 /// The longest time of a frame on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct BudgetOption {
-    /// The longest time of a frame, in milliseconds: the most exact method within it draws [default: as the scene says]
-    #[arg(long, value_name = "MS", value_parser = budget, allow_negative_numbers = true, conflicts_with = "tolerance")]
+    /// The longest time of a frame, in milliseconds: the most exact method within it is chosen [default: as the scene says]
+    #[arg(long, value_name = "MS", value_parser = budget, allow_negative_numbers = true, conflicts_with_all = ["tolerance", "shading"])]
     pub budget: Option<f64>,
 }
 
@@ -144,7 +143,7 @@ pub fn refuse_to_replace(input: &Path, output: &Output) -> Result<(), Failure> {
         && read == written
     {
         let output = output.display();
-        let error = anyhow!("{output} is the input itself; give -o another file");
+        let error = anyhow!("{output} is the input itself; give -o another place");
         return Err(Failure::Usage(error));
     }
     Ok(())

@@ -13,26 +13,29 @@ const AGREE: f64 = 1.0;
 const OUTSIDE: f64 = 0.1;
 
 impl ProbedSurface {
-    /// The cause of the difference between interpolation and exact Phong, in the channel in which it is largest, and its
-    /// evidence. The interpolation is the picture's, or Gouraud's if the picture is Phong's. `None` if the reference sees
-    /// another face.
+    /// The channel in which interpolation and exact Phong differ most, and their difference in displayed levels. The
+    /// interpolation is the picture's if it has unit vectors, else Gouraud's. `None` if the reference sees another face.
+    pub fn error(&self) -> Option<(usize, f64)> {
+        let sample = self.sample.as_ref()?;
+        let interpolated = match self.drawn.mode {
+            ShadingMode::UnitVectors => self.drawn.levels,
+            _ => sample.gouraud.to_array(),
+        };
+        let phong = sample.phong.to_array().map(displayed);
+        let error = |channel: usize| (displayed(interpolated[channel]) - phong[channel]).abs();
+        let errors = [2, 1, 0].map(|channel| (channel, error(channel)));
+        // Of equal ones, the first.
+        errors
+            .into_iter()
+            .max_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The cause of that difference, and its evidence.
     pub fn cause(&self) -> Option<[String; 2]> {
         let sample = self.sample.as_ref()?;
-        let has_unit_vectors = self.drawn.mode == ShadingMode::UnitVectors;
-        let interpolated = if has_unit_vectors {
-            self.drawn.levels
-        } else {
-            sample.gouraud.to_array()
-        };
-        let error = |channel: &usize| {
-            (displayed(interpolated[*channel]) - displayed(sample.phong[*channel])).abs()
-        };
-        // Of equal ones, the first.
-        let channel = (0..3)
-            .rev()
-            .max_by(|one, other| error(one).total_cmp(&error(other)))?;
-        if has_unit_vectors {
-            let [drawn, exact] = [interpolated[channel], sample.phong[channel]].map(level);
+        let (channel, error) = self.error()?;
+        if self.drawn.mode == ShadingMode::UnitVectors {
+            let [drawn, exact] = [self.drawn.levels[channel], sample.phong[channel]].map(level);
             return Some([
                 format!(
                     "Interpolated unit vectors are too short: {drawn} instead of {exact} in {}.",
@@ -61,7 +64,6 @@ impl ProbedSurface {
         let evidence = format!(
             "{factor} of {name} is {a:.2}, {b:.2} and {c:.2} at the vertices, and {here:.2} here."
         );
-        let error = error(&channel);
         if error < AGREE {
             let cause = if (sample.gouraud - sample.phong).abs().max_element() < AGREE {
                 "Light changes nearly linearly here"
@@ -79,9 +81,7 @@ impl ProbedSurface {
         } else if !is_specular && is_less && here > most {
             format!("The surface faces {name} more here than at any vertex")
         } else if !is_specular && light.corner_factors.contains(&0.0) {
-            format!(
-                "A vertex faces away from {name}: n.l ends at 0 there, where a straight line begins"
-            )
+            format!("A vertex faces away from {name}: n.l is negative there and counts as 0")
         } else {
             let course = if is_less { "rises over" } else { "falls below" };
             format!("{factor} of {name} {course} a straight line between the vertices")
@@ -89,7 +89,7 @@ impl ProbedSurface {
         let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
         Some([
             format!(
-                "{cause}: {gouraud} instead of {phong} in {}.",
+                "{cause}: the light's {} is {gouraud} instead of {phong}.",
                 CHANNELS[channel]
             ),
             evidence,
@@ -108,8 +108,8 @@ impl DrawnPixel {
                     .to_owned()
             }
             (ShadingMode::Gouraud, _) => format!(
-                "No evaluation of the model: its square has a {kind} colour between the levels of three vertices, \
-                 within {within}."
+                "No evaluation of the model: the levels of three vertices are interpolated. In the square around this \
+                 pixel a {kind} colour is certified within {within}."
             ),
             (_, TileKind::PerPixel) => {
                 "An evaluation of the model, as at every pixel of its square.".to_owned()
@@ -118,8 +118,8 @@ impl DrawnPixel {
                 "An evaluation of the model in f64, as at every pixel of its square.".to_owned()
             }
             _ => format!(
-                "Nine evaluations of the model for all pixels of its square, which has a {kind} colour, certified \
-                 within {within}."
+                "Nine evaluations of the model in the square around this pixel. The {kind} colour through them is \
+                 certified within {within}."
             ),
         }
     }

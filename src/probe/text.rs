@@ -13,6 +13,9 @@ const NEGLIGIBLE: f64 = 1e-6;
 /// Components of a vector up to this share of the largest are written as 0: they are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
+/// The levels of a light under one mode.
+type Term = fn(&LightSample) -> DVec3;
+
 impl ProbedSurface {
     /// The number of the triangle, and the reference's number if it differs.
     pub fn triangle_label(&self) -> String {
@@ -27,7 +30,7 @@ impl ProbedSurface {
 }
 
 impl Probe {
-    /// The evaluation as lines of text, at most 78 characters long if names are short.
+    /// The evaluation as lines of text, at most 45 characters long if names are short.
     pub fn lines(&self) -> Vec<String> {
         let [x, y] = self.pixel;
         let Some(surface) = &self.surface else {
@@ -50,12 +53,10 @@ impl Probe {
             }
         }
 
-        let row =
-            |name: &str, left: &str, right: &str| format!("  {name:<12} {left:>29}  {right:>29}");
+        let mut row = |name: &str, cells: &str| lines.push(format!("  {name:<12} {cells:>29}"));
         let power = format!("n.l or (o.r)^{}", surface.shininess);
-        let heads = [["n.l", "o.r", "factor"], ["r", "g", "b"]].map(joined);
-        lines.push(row("exact Phong", &power, "times strength"));
-        lines.push(row("", &heads[0], &heads[1]));
+        row("factor", &power);
+        row("", &joined(["n.l", "o.r", "factor"]));
         for light in lights {
             let is_specular = light.kind == LightKind::Specular;
             let factors = joined([
@@ -63,20 +64,36 @@ impl Probe {
                 cosine(to_eye, light.reflected.filter(|_| is_specular)),
                 format!("{:.5}", light.factor),
             ]);
-            lines.push(row(&light.name, &factors, &levels(light.strength)));
+            row(&light.name, &factors);
         }
-
-        let exact = |of: Option<DVec3>| of.map_or_else(|| joined(["-"; 3]), levels);
-        let mut pair = |name: &str, left: &str, right: &str| lines.push(row(name, left, right));
-        pair("levels", "Gouraud", "Phong");
+        let channels = joined(["r", "g", "b"]);
+        row("strength", &channels);
         for light in lights {
-            pair(&light.name, &levels(light.gouraud), &levels(light.phong));
+            row(&light.name, &levels(light.strength));
         }
-        pair("drawn", &levels(surface.gouraud), &levels(surface.phong));
-        let gouraud = exact(sample.map(|it| it.gouraud));
-        pair("reference", &gouraud, &exact(sample.map(|it| it.phong)));
-        let [gouraud, phong] = [surface.gouraud, surface.phong].map(|it| joined(bytes(it)));
-        pair("bytes", &gouraud, &phong);
+        let modes: [(_, Term, _, _); 2] = [
+            (
+                "Gouraud",
+                |it| it.gouraud,
+                surface.gouraud,
+                sample.map(|it| it.gouraud),
+            ),
+            (
+                "Phong",
+                |it| it.phong,
+                surface.phong,
+                sample.map(|it| it.phong),
+            ),
+        ];
+        for (mode, term, drawn, exact) in modes {
+            row(mode, &channels);
+            for light in lights {
+                row(&light.name, &levels(term(light)));
+            }
+            row("drawn", &levels(drawn));
+            row("reference", &exact.map_or_else(|| joined(["-"; 3]), levels));
+            row("bytes", &joined(bytes(drawn)));
+        }
         lines
     }
 

@@ -24,7 +24,7 @@ pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
     let is_file = file.metadata().is_ok_and(|found| found.is_file());
     ensure!(is_file, "{name} is not a file");
     let decoder = PngDecoder::new(BufReader::new(file))
-        .with_context(|| format!("{name} is not a PNG file"))?;
+        .with_context(|| format!("{name} is not a PNG file that can be read"))?;
     let (width, height) = decoder.dimensions();
     let size = [width, height].map(|side| side as usize);
     ensure!(

@@ -160,6 +160,8 @@ fn write_least(
     let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
     let mut record = SceneRecord::of(&without(scene, &left_out).world);
     record.keep_active_camera();
+    // What was proven, whether the scene had that tolerance or a budget.
+    (record.view.tolerance, record.view.budget) = (view.tolerance, None);
     let text = updated("", &record);
     output.write(format!("# {comments}\n\n{text}"))?;
     say(&format!("wrote {}: {found}", output.name()));

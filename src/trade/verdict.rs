@@ -35,7 +35,7 @@ pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     Some(match gouraud {
         Some(gouraud) => {
             let (pace, error) = (pace(gouraud, shown), short(gouraud.largest_error()));
-            format!("{text} Gouraud is {pace} it, off by {error}.")
+            format!("{text} Gouraud is {pace} this, off by {error}.")
         }
         None => text,
     })

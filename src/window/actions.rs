@@ -147,7 +147,7 @@ impl App {
         };
         match next {
             Some(next) => self.set_tolerance(next),
-            None if steps > 0 => self.say("the keys have no coarser tolerance"),
+            None if steps > 0 => self.say("the keys end here; the slider goes on"),
             None => self.say("the tolerance is 0 already"),
         }
     }

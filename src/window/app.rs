@@ -184,6 +184,7 @@ impl App {
             })
         };
         let [begins, ends] = [true, false].map(is_gesture);
+        let is_sought = self.desk.sought.is_some();
         if begins {
             self.history.end_step();
             // The press may change the picture, and frames that are being timed would delay it.
@@ -206,6 +207,9 @@ impl App {
         self.record(size);
         self.hold_time();
         self.draw()?;
+        // A tab that was opened in the last step has its room by now.
+        let is_found = is_sought && self.explain_sought();
+        let is_due = is_found || self.desk.sought.is_some() && self.facts.trade.is_current;
         self.ask();
         self.copy_picture(size);
         let commands = std::mem::take(&mut output.platform_output.commands);
@@ -213,6 +217,7 @@ impl App {
         let waits = [
             viewport.map(|it| it.repaint_delay),
             self.moved.map(|_| REST),
+            is_due.then_some(Duration::ZERO),
             self.desk.blinks.map(|_| TURN / 10),
             self.viewer()
                 .turns

@@ -7,8 +7,8 @@ use egui::Ui;
 use super::app::App;
 use super::keys::Action;
 use super::widgets::{short, slider, two_digits};
+use crate::components::Viewer;
 use crate::components::range::Milliseconds;
-use crate::components::{ShadingMode, Viewer};
 use crate::report::words::capital;
 use crate::trade::budget::{Hold, best_trades, fitting, held, over};
 use crate::trade::verdict::method_name;
@@ -22,7 +22,7 @@ const OUTCOME: f32 = 34.0;
 const BUDGET: [&str; 3] = [
     "budget, ms",
     "[ ]",
-    "The longest time of a frame. The most exact method that holds it draws.",
+    "The longest time that a frame may take. The most exact method that keeps it is chosen.",
 ];
 
 impl App {
@@ -107,10 +107,10 @@ impl App {
         });
     }
 
-    /// The method that holds the budget, its time and its error, and the error that is proven.
+    /// The method that holds the budget, its time and its error.
     fn outcome(&self, budget: f64) -> String {
         let Some(method) = self.held else {
-            return "Each method is measured as soon as nothing moves.".to_owned();
+            return "The methods are not measured yet.".to_owned();
         };
         let measured = self.facts.trade.current();
         let held = measured.and_then(|measured| held(measured, budget));
@@ -119,11 +119,6 @@ impl App {
             let (name, over) = (capital(&method_name(method)), over(time, budget));
             format!("{name}: {} ms{over}", short(time))
         };
-        let text = held.map_or_else(unmeasured, |(_, text)| text);
-        let proof = self.facts.proof.current();
-        match proof.filter(|_| method.mode == ShadingMode::Phong) {
-            Some(proof) => format!("{text}; proven within {}", short(proof.worst)),
-            None => text,
-        }
+        held.map_or_else(unmeasured, |(_, text)| text)
     }
 }

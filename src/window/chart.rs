@@ -55,7 +55,7 @@ impl App {
         ui.small(match (self.facts.trade.is_current, self.progress()) {
             (false, Some((step, share))) => format!("{step}, {:.0} %", share * 100.0),
             (false, None) => "measured in another view; new times follow".to_owned(),
-            _ => "largest error in levels; ms a frame".to_owned(),
+            _ => "up: error, levels; right: ms a frame".to_owned(),
         });
         let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
@@ -63,8 +63,13 @@ impl App {
         let shown = axes().show(ui, |plot| draw(plot, &known, is_current));
         let corner = shown.response.rect.right_top() + vec2(-3.0, 2.0);
         let letters = FontId::proportional(10.0);
-        ui.painter()
-            .text(corner, Align2::RIGHT_TOP, "visible", letters, Color32::GRAY);
+        ui.painter().text(
+            corner,
+            Align2::RIGHT_TOP,
+            "visible errors",
+            letters,
+            Color32::GRAY,
+        );
         let method = self.method();
         for one in &known {
             let place = PlotPoint::from(place(one));
@@ -84,7 +89,7 @@ impl App {
         let known = trade.value.as_deref().unwrap_or_default();
         let of_method = |method: Method| {
             let name = capital(&method_name(method));
-            let later = || format!("{name} is measured as soon as nothing moves.");
+            let later = || format!("{name} is not measured yet.");
             let text = sentence(known, method).unwrap_or_else(later);
             if method.mode != ShadingMode::Gouraud {
                 return text;

@@ -28,6 +28,8 @@ pub struct Desk {
     pub last_file: Option<String>,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityPlace>,
+    /// The side of a wipe whose worst pixel is sought, 0 for the picture, until the errors are known.
+    pub sought: Option<usize>,
     /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.
     pub clicked: Option<[usize; 2]>,
 }

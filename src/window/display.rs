@@ -222,7 +222,10 @@ fn not_opened(error: minifb::Error) -> anyhow::Error {
     // minifb has no error of its own for an X server that does not answer.
     let reason = match reason.as_str() {
         _ if none_named => "neither DISPLAY nor WAYLAND_DISPLAY is set",
-        "XOpenDisplay failed" => "the X server that DISPLAY names does not answer",
+        "XOpenDisplay failed" if is_set("DISPLAY") => {
+            "the X server that DISPLAY names does not answer"
+        }
+        "XOpenDisplay failed" => "the compositor that WAYLAND_DISPLAY names does not answer",
         _ => return anyhow!("cannot open a window: {reason}"),
     };
     NoDisplay { reason }.into()

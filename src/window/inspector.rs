@@ -4,6 +4,8 @@ mod pixel;
 mod scene;
 mod section;
 
+use std::iter;
+
 use egui::{Grid, ProgressBar, ScrollArea, Ui};
 
 use super::app::App;
@@ -13,7 +15,7 @@ use crate::components::Tab;
 use crate::requires::PartChange;
 
 /// The width of a table's columns before the last, in points.
-const NUMBERS: f32 = 80.0;
+const NUMBERS: f32 = 100.0;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
@@ -59,8 +61,8 @@ impl App {
     fn required_tab(&self, ui: &mut Ui) {
         let tolerance = self.viewer().tolerance;
         ui.label(format!(
-            "The largest error of the picture without a part, in levels of 255, proven; and whether \
-             tolerance {tolerance} requires the part."
+            "The largest error of the picture if one part of the model is left out, in levels of 255, proven; and \
+             whether tolerance {tolerance} needs that part."
         ));
         let facts = &self.facts;
         self.wait(ui, &facts.required);
@@ -70,8 +72,10 @@ impl App {
             let most = short(part.change.most());
             vec![most, verdict.to_owned(), part.name.clone()]
         };
+        let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
         let parts = facts.required.value.iter().flatten().map(part);
-        Self::table(ui, "required", &facts.required, parts);
+        let rows = iter::once(head).chain(parts);
+        Self::table(ui, "required", &facts.required, rows);
     }
 
     /// Lays out a table about a fact. The words in its last column wrap.

@@ -99,7 +99,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
         bind("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
         bind("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Action::Tolerance(1)), (NO, Key::PageUp, Action::Tolerance(1))]),
-        bind("hold the time", "The most exact method whose frame takes no longer than the budget draws.", &[(NO, Key::M, Action::HoldTime)]),
+        bind("hold the time", "Draws by the most exact method whose frames keep a budget of time.", &[(NO, Key::M, Action::HoldTime)]),
     ]),
     ("Camera", &[
         bind("next camera", "The camera that is looked through.", &[(NO, Key::C, Action::NextCamera)]),
@@ -109,7 +109,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
             (NO, Key::ArrowUp, Action::Orbit(0.0, ORBIT_STEP)), (NO, Key::ArrowDown, Action::Orbit(0.0, -ORBIT_STEP)),
         ]),
         bind("zoom, or wheel", "", &[(NO, Key::Plus, Action::Zoom(1)), (NO, Key::Equals, Action::Zoom(1)), (NO, Key::Minus, Action::Zoom(-1))]),
-        bind("rotate", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Action::Rotate)]),
+        bind("turn the cuboids", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Action::Rotate)]),
         bind("reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Action::ResetView)]),
     ]),
     ("View", &[
@@ -118,7 +118,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         bind("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Action::WipeExact)]),
         bind("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
         bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),
-        bind("blink (hold)", "Exact Phong and the picture take turns while this is held; in a wipe, its two sides.", &[(NO, Key::B, Action::Blink)]),
+        bind("blink (hold)", "While this is held, exact Phong and the picture take turns. In a wipe its two sides take turns.", &[(NO, Key::B, Action::Blink)]),
         bind("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Action::Worst)]),
         bind("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Action::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Action::Probe(1, 0)),
@@ -127,16 +127,16 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
     ]),
     ("Scene", &[
         bind("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
-        bind("required", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
+        bind("required parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
         bind("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),
         bind("redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Action::Redo), (CTRL, Key::Y, Action::Redo)]),
         bind("save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Action::Save)]),
         bind("save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Action::SaveAs)]),
     ]),
     ("Window", &[
-        bind("fold the panel", "Folds and opens the panel.", &[(NO, Key::I, Action::Panel)]),
+        bind("left panel", "Folds and opens the panel on the left.", &[(NO, Key::I, Action::Panel)]),
         bind("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
-        bind("save the window", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
+        bind("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
         bind("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Action::Close)]),
         bind("quit", "Ends the program.", &[(NO, Key::Q, Action::Quit)]),
     ]),

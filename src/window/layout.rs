@@ -25,8 +25,8 @@ const SHARED: f32 = 4.5;
 const FOLDED: f32 = 22.0;
 
 const METHOD: &str = "The method on screen.";
-const TIME: &str = "The median time of a warm frame, from the World to the picture's pixels; grey until it is measured: \
-                    the time of the last frame.";
+const TIME: &str =
+    "The median time of a frame, without the window around it. Grey: the time of the last frame.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255.";
 const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance.";
 
@@ -72,7 +72,8 @@ impl App {
             if let Some(message) = &self.desk.message {
                 let rest = message.until.saturating_sub(self.now);
                 ui.ctx().request_repaint_after(rest);
-                ui.add(Label::new(&message.text).truncate());
+                let text = RichText::new(&message.text).strong();
+                ui.add(Label::new(text).truncate());
             } else {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
                 self.facts_line(ui);
@@ -90,8 +91,11 @@ impl App {
             _ => (self.side_name(&Side::Picture), true),
         };
         ui.label(name).on_hover_text(METHOD);
+        if !is_shown {
+            return;
+        }
         let mut fact = |text: String, ink: Color32, is_current: bool, says: &str| {
-            let ink = if is_shown && is_current { ink } else { STALE };
+            let ink = if is_current { ink } else { STALE };
             ui.separator();
             ui.label(RichText::new(text).color(ink)).on_hover_text(says);
         };
@@ -103,10 +107,10 @@ impl App {
             comparison, proof, ..
         } = &self.facts;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
-            let text = format!("off by {} of 255", short(error));
+            let text = format!("{} levels off exact Phong", short(error));
             fact(text, INK, comparison.is_current, ERROR);
         }
-        if let Some(it) = &proof.value {
+        if let Some(it) = proof.current() {
             let pixels = it.proven + it.refuted + it.undecided;
             let (share, ink) = match pixels - it.proven {
                 0 => ("every pixel".to_owned(), GOOD),
@@ -115,7 +119,9 @@ impl App {
             let mode = self.method().map(|it| Method::of(it.mode, 0.0));
             let exact = mode.map_or("its exact mode".to_owned(), method_name);
             let text = format!("{share} proven within {} of {exact}", it.limit);
-            fact(text, ink, proof.is_current, PROVEN);
+            fact(text, ink, true, PROVEN);
+        } else {
+            fact("not proven yet".to_owned(), STALE, false, PROVEN);
         }
     }
 
@@ -124,14 +130,18 @@ impl App {
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
             ui.set_width(room.x.min(540.0));
             ui.heading("Keys");
-            ui.weak("H or Esc closes this. A tooltip says what a thing is.");
-            ui.weak("A click explains a pixel. Ctrl + - 0 choose the size of letters.");
-            ui.weak("The divider of a wipe can be dragged, and while the scene is edited the");
-            ui.weak("discs of lights, with Shift in depth.");
+            ui.weak("H or Esc closes this. Most things have a tooltip.");
+            ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
+            ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
+            ui.weak("the discs of lights can be dragged, too; with Shift in depth.");
             let scroll = ScrollArea::both().max_height(room.y);
             scroll.min_scrolled_height(room.y).show(ui, |ui| {
                 let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
-                ui.horizontal_top(|ui| [left, right].map(|sections| key_table(ui, sections)));
+                ui.horizontal_top(|ui| {
+                    key_table(ui, left);
+                    ui.add_space(16.0);
+                    key_table(ui, right);
+                });
             });
         });
         if modal.should_close() {

@@ -1,7 +1,7 @@
-//! The meaning of the colours of the error map and of tiles.
+//! The meaning of the colours of the error map and of tiles, in a corner of the picture.
 
 use egui::color_picker::show_color;
-use egui::{Color32, Grid, Sense, Ui, vec2};
+use egui::{Color32, Response, Sense, Ui, vec2};
 
 use super::app::App;
 use super::pictures::TINTS;
@@ -9,9 +9,6 @@ use crate::components::ViewMode;
 use crate::paint::color;
 use crate::shading::TileKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
-
-/// A panel of at least this width has room for two columns of tiles, in points.
-const WIDE: f32 = 240.0;
 
 impl App {
     /// The meaning of the colours of the error map or of tiles.
@@ -21,15 +18,17 @@ impl App {
             ViewMode::Tiles => {
                 let counts = self.pictures.counts().tiles;
                 let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
-                let columns = if ui.available_width() < WIDE { 1 } else { 2 };
-                Grid::new("tiles").show(ui, |ui| {
-                    for (index, ((kind, tint), count)) in kinds.enumerate() {
-                        swatch(ui, tint, &format!("{count} {}", kind.name()));
-                        if (index + 1) % columns == 0 {
-                            ui.end_row();
+                for ((kind, tint), count) in kinds {
+                    let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
+                    row.on_hover_text(match kind {
+                        TileKind::Linear => "Squares with a colour linear in x and y.",
+                        TileKind::Quadratic => "Squares with a colour quadratic in x and in y.",
+                        TileKind::Terminator => {
+                            "As quadratic, where n.l of one light changes sign."
                         }
-                    }
-                });
+                        _ => "Squares in which the model is evaluated at each pixel.",
+                    });
+                }
             }
             ViewMode::Picture | ViewMode::Wipe => {}
         }
@@ -61,9 +60,10 @@ impl App {
     }
 }
 
-fn swatch(ui: &mut Ui, pixel: u32, text: &str) {
-    ui.horizontal(|ui| {
+fn swatch(ui: &mut Ui, pixel: u32, text: &str) -> Response {
+    let row = ui.horizontal(|ui| {
         show_color(ui, color(pixel), vec2(14.0, 14.0));
-        ui.label(text);
+        ui.label(text)
     });
+    row.inner
 }

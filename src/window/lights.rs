@@ -25,6 +25,8 @@ pub struct Disc {
     pub name: String,
     /// Its middle in the window.
     pub at: Pos2,
+    /// From the light's own place to the border, where the disc of a light out of sight is.
+    moved: Vec2,
     color: Color32,
     is_on: bool,
 }
@@ -56,7 +58,9 @@ impl App {
             let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
             let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
             if disc.dragged() {
-                let by = disc.drag_delta() * self.scale();
+                // A light out of sight first comes to its disc.
+                let moved = [Vec2::ZERO, light.moved][usize::from(disc.drag_started())];
+                let by = (disc.drag_delta() + moved) * self.scale();
                 self.drag_light(&light.name, by, in_depth);
             }
             if disc.clicked() || disc.drag_started() {
@@ -71,11 +75,15 @@ impl App {
         type Parts<'a> = (&'a Name, &'a Transform, &'a Light);
         let lens = Lens::new(&self.view());
         let lights = in_file_order::<Parts, _>(&self.scene.world, |(name, transform, light)| {
-            (light.kind != LightKind::Ambient).then(|| Disc {
-                name: name.0.clone(),
-                at: self.place_of_light(transform.position, &lens),
-                color: brightest(light.color),
-                is_on: light.on,
+            (light.kind != LightKind::Ambient).then(|| {
+                let (at, moved) = self.place_of_light(transform.position, &lens);
+                Disc {
+                    name: name.0.clone(),
+                    at,
+                    moved,
+                    color: brightest(light.color),
+                    is_on: light.on,
+                }
             })
         });
         let mut discs: Vec<Disc> = Vec::new();
@@ -89,18 +97,23 @@ impl App {
         discs
     }
 
-    /// The place of a light in the window, or the nearest one at the border of the picture.
-    fn place_of_light(&self, position: DVec3, lens: &Lens) -> Pos2 {
+    /// The place of a light in the window, or the nearest one at the border of the picture, and the way to that; none for a
+    /// light behind the eye.
+    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Vec2) {
         let border = self.place.shrink(3.0 * RADIUS);
         // A tiny picture has no room between its borders.
         let within = |at: Pos2| at.max(border.min).min(border.max);
         let seen = lens.seen(position);
         if seen.z > lens.near {
             let [x, y] = lens.pixel(lens.homogeneous(seen));
-            return within(self.place.min + vec2(x as f32, y as f32) / self.scale());
+            let own = self.place.min + vec2(x as f32, y as f32) / self.scale();
+            return (within(own), within(own) - own);
         }
         let way = vec2(seen.x as f32, -seen.y as f32).normalized();
-        within(border.center() + way * border.size().max_elem())
+        (
+            within(border.center() + way * border.size().max_elem()),
+            Vec2::ZERO,
+        )
     }
 
     /// Moves a light by pixels of the picture across the view, or in depth. A position beyond its range is refused.

@@ -109,21 +109,22 @@ impl App {
             ViewMode::Wipe if sides != gouraud_phong(tolerance) => None,
             mode => Some(Action::View(mode)),
         };
-        for action in [
-            Action::View(ViewMode::Picture),
-            Action::View(ViewMode::Wipe),
-            Action::WipeExact,
-            Action::View(ViewMode::Error),
-            Action::View(ViewMode::Tiles),
-        ] {
-            self.offer(ui, action, Some(action) == shown);
-        }
-        let hold = action_button(ui, Action::Blink, self.desk.blinks.is_some());
-        let is_held = hold.is_pointer_button_down_on();
-        if is_held || ui.input(|input| input.pointer.any_released()) {
-            self.blink_while(is_held);
-        }
-        self.legend(ui);
+        ui.horizontal_wrapped(|ui| {
+            for action in [
+                Action::View(ViewMode::Picture),
+                Action::View(ViewMode::Wipe),
+                Action::WipeExact,
+                Action::View(ViewMode::Error),
+                Action::View(ViewMode::Tiles),
+            ] {
+                self.offer(ui, action, Some(action) == shown);
+            }
+            let hold = action_button(ui, Action::Blink, self.desk.blinks.is_some());
+            let is_held = hold.is_pointer_button_down_on();
+            if is_held || ui.input(|input| input.pointer.any_released()) {
+                self.blink_while(is_held);
+            }
+        });
     }
 
     fn camera_rows(&mut self, ui: &mut Ui) {

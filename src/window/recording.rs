@@ -103,7 +103,7 @@ pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Pa
 pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecord> {
     let mut value = serde_json::to_value(record)?;
     json_patch::patch(&mut value, patch)?;
-    let record: SceneRecord = serde_json::from_value(value)?;
+    let record: SceneRecord = serde_path_to_error::deserialize(value)?;
     record.check()?;
     Ok(record)
 }
@@ -152,12 +152,18 @@ impl Log {
     /// The first mistake, with its line.
     pub fn read(name: &str, bytes: &[u8], idle: Duration) -> anyhow::Result<Log> {
         let text = String::from_utf8_lossy(bytes);
-        let (text, rest) = text.split_at(text.rfind('\n').map_or(0, |end| end + 1));
         let (mut frames, mut start, mut state) = (Vec::<RecordedFrame>::new(), None, None);
-        for (number, line) in (1..).zip(text.lines()) {
+        let mut cut_off = None;
+        for (number, line) in (1..).zip(text.split_inclusive('\n')) {
             let last = frames.last().map_or(Duration::ZERO, |frame| frame.time);
-            let (time, event) = read_line(line, last, &mut state)
-                .map_err(|reason| anyhow!("{name}:{number}: {reason:#}"))?;
+            let (time, event) = match read_line(line.trim_end(), last, &mut state) {
+                Ok(read) => read,
+                Err(_) if start.is_some() && !line.ends_with('\n') => {
+                    cut_off = Some(number);
+                    break;
+                }
+                Err(reason) => bail!("{name}:{number}: {reason:#}"),
+            };
             if let (Event::Scene(scene), None) = (&event, &start) {
                 start = Some(scene.clone());
             }
@@ -175,8 +181,16 @@ impl Log {
         }
         Ok(Log {
             frames,
-            cut_off: (!rest.is_empty()).then_some(text.lines().count() + 1),
+            cut_off,
             start: start.with_context(|| format!("{name}:1: {}", found("", FIRST)))?,
+        })
+    }
+
+    /// The size of the largest frame, if the first one has size `first`.
+    pub fn canvas(&self, first: [usize; 2]) -> [usize; 2] {
+        let sizes = self.frames.iter().filter_map(RecordedFrame::size);
+        sizes.fold(first, |[width, height], size| {
+            [width.max(size[0]), height.max(size[1])]
         })
     }
 

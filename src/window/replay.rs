@@ -80,10 +80,7 @@ pub fn run(
 ) -> anyhow::Result<()> {
     let count = log.frames.len();
     let mut times = log.frames.iter().map(|frame| frame.at).skip(1);
-    let sizes = log.frames.iter().filter_map(RecordedFrame::size);
-    let canvas = sizes.fold(drawing.size, |[width, height], size| {
-        [width.max(size[0]), height.max(size[1])]
-    });
+    let canvas = log.canvas(drawing.size);
     let (mut hashes, mut done) = (String::new(), 0);
     with_bar(|monitor| {
         let mut note = |app: &App, frame: &RecordedFrame| {

@@ -89,7 +89,7 @@ impl App {
         }
         self.viewer_mut().sides = sides;
         if let Some(index) = clicked {
-            self.explain(index);
+            self.seek_worst(index);
         }
     }
 
@@ -109,48 +109,57 @@ impl App {
         is_clicked && self.facts.trade.is_current
     }
 
-    /// Probes the worst pixel of a side, and moves the divider where the other side hides it.
-    fn explain(&mut self, index: usize) {
-        let Some([x, y]) = self.prices()[index].and_then(Measurement::worst_pixel) else {
-            return;
+    /// Explains the worst pixel that is sought if the errors are known, and moves the divider where the other side of a wipe
+    /// hides it. Returns whether it has.
+    pub(super) fn explain_sought(&mut self) -> bool {
+        let is_known = self.facts.trade.current().is_some();
+        let Some(index) = self.desk.sought.take_if(|_| is_known) else {
+            return false;
         };
-        if usize::from(x >= self.divider_column()) != index {
+        let is_wipe = self.viewer().show == ViewMode::Wipe;
+        let price = if is_wipe {
+            self.prices()[index]
+        } else {
+            self.method().and_then(|method| self.measured(method))
+        };
+        let Some([x, y]) = price.and_then(Measurement::worst_pixel) else {
+            self.say("the picture has no worst pixel");
+            return true;
+        };
+        if is_wipe && usize::from(x >= self.divider_column()) != index {
             // A tenth of the width beside it, so that its surroundings are seen.
             let beside = [0.1, -0.1][index] + x as f64 / self.picture_size()[0] as f64;
             let divider = beside.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
             self.viewer_mut().divider = divider;
         }
-        self.explain_pixel([x, y]);
+        self.probe([x, y]);
+        true
     }
 
-    /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
+    /// Seeks the worst pixel of the picture, or of the side of a wipe that errs more.
     pub fn explain_worst(&mut self) {
-        let wipes = self.viewer().show == ViewMode::Wipe;
+        let is_wipe = self.viewer().show == ViewMode::Wipe;
         let errors = self.prices().map(|price| price?.largest_error());
-        let picture = self
-            .method()
-            .and_then(|method| self.measured(method)?.worst_pixel());
-        match picture {
-            _ if self.facts.trade.current().is_none() => self.say("the errors are not known yet"),
-            _ if wipes => self.explain(usize::from(errors[1] > errors[0])),
-            Some(pixel) => self.explain_pixel(pixel),
-            None => self.say("the picture has no worst pixel"),
+        self.seek_worst(usize::from(is_wipe && errors[1] > errors[0]));
+    }
+
+    /// Seeks the worst pixel of a side. The tab for it opens first if there is room, because the picture has another size then.
+    fn seek_worst(&mut self, index: usize) {
+        if self.desk.has_both {
+            self.viewer_mut().inspector = Some(Tab::Pixel);
+        }
+        self.desk.sought = Some(index);
+        if !self.facts.trade.is_current {
+            self.say("the worst pixel follows when the errors are measured");
         }
     }
 
     /// Probes a pixel, and opens the tab for it if there is room.
     pub fn probe(&mut self, pixel: [usize; 2]) {
+        self.desk.sought = None;
         self.viewer_mut().pixel = Some(pixel);
         // The scene's tab stays open: a click selects the cuboid there.
         if self.desk.has_both && self.viewer().inspector != Some(Tab::Scene) {
-            self.viewer_mut().inspector = Some(Tab::Pixel);
-        }
-    }
-
-    /// Probes a pixel, and opens the tab for it in place of any other, if there is room.
-    fn explain_pixel(&mut self, pixel: [usize; 2]) {
-        self.probe(pixel);
-        if self.desk.has_both {
             self.viewer_mut().inspector = Some(Tab::Pixel);
         }
     }

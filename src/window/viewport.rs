@@ -1,8 +1,8 @@
 //! The picture's area: drags, clicks and the wheel over it, and the marks drawn on it.
 
 use egui::{
-    Align, Color32, Event, Frame, Layout, PointerButton, Pos2, Rect, Response, RichText, Sense, Ui,
-    Vec2, vec2,
+    Align, Align2, Area, Color32, Event, Frame, Layout, PointerButton, Pos2, Rect, Response,
+    RichText, Sense, Ui, Vec2, vec2,
 };
 
 use super::app::App;
@@ -60,10 +60,18 @@ impl App {
             self.draw_arrows(ui.painter(), at);
             draw_cross(ui.painter(), at);
         }
+        let ground = Frame::side_top_panel(ui.style());
+        if matches!(self.viewer().show, ViewMode::Error | ViewMode::Tiles) {
+            let corner = Area::new(ui.id().with("legend")).pivot(Align2::LEFT_BOTTOM);
+            let corner = corner.fixed_pos(self.place.left_bottom());
+            corner.constrain_to(self.place).show(ui.ctx(), |ui| {
+                ui.set_max_width(self.place.width());
+                ground.show(ui, |ui| self.legend(ui));
+            });
+        }
         // Over the picture, whose size would otherwise change twice.
         if let Some(error) = &self.desk.file_error {
             let text = RichText::new(error).monospace().color(BAD);
-            let ground = Frame::side_top_panel(ui.style());
             ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
                 ground.show(ui, |ui| ui.label(text))
             });

@@ -30,13 +30,19 @@ pub fn ink<T>(fact: &Latest<T>) -> Color32 {
     if fact.current().is_some() { INK } else { STALE }
 }
 
-/// A number that is dragged, or clicked and typed, with a decimal point or comma. A drag changes it in proportion to its size.
+/// A number that was typed, with a decimal point or comma.
+fn typed(text: &str) -> Option<f64> {
+    let number = text.trim().replace(',', ".").parse().ok();
+    number.filter(|number: &f64| number.is_finite())
+}
+
+/// A number that is dragged, or clicked and typed. A drag changes it in proportion to its size.
 pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Response {
     let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
     let drag = DragValue::new(value).speed(speed).range(range);
     // A number that is being typed is not the number that is meant.
     let drag = drag.update_while_editing(false);
-    let drag = drag.custom_parser(|text| text.trim().replace(',', ".").parse().ok());
+    let drag = drag.custom_parser(typed);
     let response = ui.add(drag.custom_formatter(format_number));
     // The widget rounds the number to the digits that it shows even if nobody edits it.
     if format_number(*value, 0..=0) == format_number(before, 0..=0) {
@@ -58,7 +64,7 @@ pub fn slider(
         // Number and keys beside it stay in sight.
         ui.spacing_mut().slider_width = (ui.available_width() - 95.0).clamp(20.0, 110.0);
         let slider = Slider::new(value, range).logarithmic(true);
-        let slider = slider.smallest_positive(least);
+        let slider = slider.smallest_positive(least).custom_parser(typed);
         let response = ui.add(slider.custom_formatter(format_number));
         if response.on_hover_text(says).dragged() {
             *value = two_digits(*value);

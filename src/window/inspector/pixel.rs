@@ -49,7 +49,7 @@ impl App {
         for sentence in surface.cause().into_iter().flatten() {
             ui.label(sentence);
         }
-        self.section(ui, x, surface, self.channel());
+        self.section(ui, x, surface);
         let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
         let cuboid = cuboids.iter().find(|(name, _)| name.0 == *object);
         if let Some((_, material)) = cuboid {
@@ -59,7 +59,7 @@ impl App {
         ui.label(surface.drawn.cost());
         let text = probe.lines().join("\n");
         ui.collapsing("every number", |ui| {
-            ui.add(Label::new(RichText::new(text).monospace()).extend());
+            ui.add(Label::new(RichText::new(text).small().monospace()).extend());
         });
     }
 }

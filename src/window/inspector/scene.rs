@@ -165,7 +165,9 @@ fn place_light(light: &mut Value) {
 
 fn entity_list(ui: &mut Ui, entities: &[(EntityPlace, String)], selected: &mut EntityPlace) {
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
-    let scroll = ScrollArea::vertical().id_salt("entities").max_height(150.0);
+    // The keys of an entity stay in sight below.
+    let most = (ui.ctx().content_rect().height() - 570.0).max(150.0);
+    let scroll = ScrollArea::vertical().id_salt("entities").max_height(most);
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
         for (place, name) in &entities[rows] {
             let row = Button::selectable(selected == place, name).shortcut_text(place.0);

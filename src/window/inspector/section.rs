@@ -24,23 +24,9 @@ impl App {
         })
     }
 
-    /// The channel in which Gouraud and exact Phong differ most along the row.
-    pub fn channel(&self) -> usize {
-        let difference = |channel: usize| {
-            let errors = self.columns().map(|(_, surface)| {
-                let [gouraud, phong] = exact(surface, channel);
-                (gouraud - phong).abs()
-            });
-            errors.fold(0.0, f64::max)
-        };
-        // Of equal ones, the first.
-        let channels = (0..3).rev();
-        let most = channels.max_by(|one, other| difference(*one).total_cmp(&difference(*other)));
-        most.unwrap_or_default()
-    }
-
-    /// Lays out the levels of a channel along the row, with a line at the column of the pixel.
-    pub fn section(&self, ui: &mut Ui, column: usize, here: &ProbedSurface, channel: usize) {
+    /// Lays out the levels along the row in the channel that errs most at the pixel, with a line at its column.
+    pub fn section(&self, ui: &mut Ui, column: usize, here: &ProbedSurface) {
+        let (channel, _) = here.error().unwrap_or_default();
         let [gouraud, phong] = exact(here, channel);
         ui.horizontal_wrapped(|ui| {
             ui.label(format!("{} along the row:", CHANNELS[channel]))

@@ -19,6 +19,7 @@ const FAILURES: &str = r#"
 2  render -o b.png --tolerance nan  ->  'nan'
 2  render -o b.png --budget 0  ->  '0'|0.001 to 10000
 2  render -o b.png --budget 1 --tolerance 1  ->  --budget|--tolerance
+2  render -o b.png --budget 1 --shading phong  ->  --budget|--shading
 2  probe --pixel 1,1 --budget 1  ->  --budget
 2  render -o b.png --threads 0  ->  '0'|1..=1024
 2  render -o b.png --simd sse9  ->  'sse9'|fallback, sse4.2
@@ -50,6 +51,7 @@ const FAILURES: &str = r#"
 2  requires -o /dev/stdout --json  ->  -o and --json
 2  replay quit.log -o /dev/fd/1 --hash  ->  -o and --hash
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
+2  trade sub/trade.md -o sub  ->  sub/trade.md is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
 1  requires -o sub  ->  sub|directory
 1  render --size 9x9 -o none/  ->  none/|directory
@@ -91,6 +93,7 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
     put(folder, "text.png", "no picture");
     put(folder, "quit.log", "0.000 quit\n");
     fs::create_dir(folder.join("sub")).expect("it is made");
+    put(folder, "sub/trade.md", SCENE);
     assert_works(folder, "render --size 96x72 -o drawn.png");
     let png = get(folder, "drawn.png");
     put(folder, "half.png", &png[..png.len() / 2]);

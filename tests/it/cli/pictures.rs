@@ -76,8 +76,10 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
     let (_, words) = draw_at("1x1", "--budget 0.001");
     assert!(words.contains("over the budget"), "{words}");
     let (usual, _) = draw("");
-    let (picture, words) = draw("held.toml --tolerance 0.5");
-    assert!(picture == usual && !words.contains("budget"), "{words}");
+    for option in ["--tolerance 0.5", "--shading gouraud"] {
+        let (picture, words) = draw(&format!("held.toml {option}"));
+        assert!(picture == usual && !words.contains("budget"), "{words}");
+    }
 }
 
 #[test]

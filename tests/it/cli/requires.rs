@@ -1,7 +1,7 @@
 //! The command `requires`.
 
 use serde_json::json;
-use shadetrade::components::{Camera, Mesh, names};
+use shadetrade::components::{Camera, Mesh, names, viewer};
 use shadetrade::scene::Scene;
 
 use super::{SCENE, cube, decode, folder, get, json, keys, listing, put, run, said};
@@ -77,7 +77,8 @@ fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() 
     };
     let faint = ambient("faint", 1.0) + &ambient("dim", 1.2);
     let hidden = cube("hidden \\u001b\\n", [0.0; 3]);
-    put(folder, "full.toml", format!("{SCENE}\n{faint}\n{hidden}"));
+    let full = format!("{SCENE}\n{faint}\n{hidden}\n[view]\nbudget = 0.001");
+    put(folder, "full.toml", full);
     let view = "full.toml --camera 2 --lights white,ambient,faint,dim --size 24x18";
     let output = run(folder, &format!("requires {view} -o least.toml"));
     let said = said(&output);
@@ -115,6 +116,7 @@ fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() 
     }
     assert!(!comments.contains("light dim"), "{comments}");
     let least = Scene::parse("least", &text).expect("a scene");
+    assert_eq!(viewer(&least.world).budget, None);
     assert_eq!(names::<Mesh>(&least.world), ["emerald"]);
     assert_eq!(names::<Camera>(&least.world), ["2"]);
 

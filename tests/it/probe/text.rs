@@ -47,7 +47,7 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
             assert!(sentence.starts_with(beginning), "{sentence}");
             if beginning.starts_with("No vertex") {
                 let light = &surface.lights()[2];
-                let level = format!("instead of {:.0} in blue.", light.phong.z);
+                let level = format!("instead of {:.0}.", light.phong.z);
                 let factor = format!("{:.2} here", light.factor);
                 assert!(sentence.contains(&level) && evidence.contains(&factor));
             }
@@ -71,9 +71,9 @@ fn unit_vectors_are_as_short_as_their_mean() {
 fn the_cost_is_that_of_the_square() {
     use ShadingMode::{Gouraud, Phong, UnitVectors};
     for (mode, kind, words) in [
-        (Phong, Quadratic, ["Nine", "all pixels"]),
+        (Phong, Quadratic, ["Nine", "quadratic colour"]),
         (Phong, PerPixel, ["An evaluation", "every pixel"]),
-        (Gouraud, Linear, ["No evaluation", "its square"]),
+        (Gouraud, Linear, ["No evaluation", "linear colour"]),
         (Gouraud, PerPixel, ["No evaluation", "every pixel"]),
         (UnitVectors, InF64, ["An evaluation", "f64"]),
     ] {
@@ -118,53 +118,43 @@ fn the_text_shows_every_value_in_rows() {
     let lines = probe.lines();
     let head = format!("pixel 31,7: emerald, triangle {}", surface.triangle);
     assert_eq!(lines[0], head);
-    assert!(lines.iter().all(|line| line.len() <= 78), "{lines:?}");
-    let levels = lines.iter().position(|line| line.contains("levels"));
-    let (products, levels) = lines.split_at(levels.expect("a heading"));
-    let cells = |lines: &[String], name: &str| -> Vec<String> {
-        let is_named = |line: &&String| line.split_whitespace().next() == Some(name);
-        let row = lines.iter().rfind(is_named).expect(name);
-        row.split_whitespace().skip(1).map(str::to_owned).collect()
+    assert!(lines.iter().all(|line| line.len() <= 45), "{lines:?}");
+    // The first row of this name below a heading.
+    let cells = |lines: &[String], heading: &str, name: &str| -> Vec<String> {
+        let words = lines.iter().map(|line| line.split_whitespace());
+        let mut below = words.skip_while(|words| words.clone().next() != Some(heading));
+        let row = below.find(|words| words.clone().next() == Some(name));
+        row.expect(name).skip(1).map(str::to_owned).collect()
     };
-    let modes = [surface.gouraud, surface.phong].map(|it| it.to_array());
-    let assert_row = |name: &str, values: [[f64; 3]; 2]| {
-        for (cell, value) in cells(levels, name).iter().zip(values.concat()) {
-            assert_shows(cell, value);
+    let assert_row = |heading: &str, name: &str, values: DVec3| {
+        let cells = cells(&lines, heading, name);
+        for (index, value) in values.to_array().into_iter().enumerate() {
+            assert_shows(&cells[index], value);
         }
     };
     for light in surface.lights() {
-        assert_row(
-            &light.name,
-            [light.gouraud, light.phong].map(|it| it.to_array()),
-        );
-        let row = cells(products, &light.name);
+        assert_row("strength", &light.name, light.strength);
+        assert_row("Gouraud", &light.name, light.gouraud);
+        assert_row("Phong", &light.name, light.phong);
         let heading = format!("  {} ({})", light.name, light.kind.name());
-        assert_eq!(
-            products.contains(&heading),
-            light.kind != LightKind::Ambient
-        );
+        assert_eq!(lines.contains(&heading), light.kind != LightKind::Ambient);
+        let row = cells(&lines, "factor", &light.name);
         let factor: f64 = row[2].parse().expect("a number");
         assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
-        for (cell, value) in row[3..].iter().zip(light.strength.to_array()) {
-            assert_shows(cell, value);
-        }
         assert_eq!(row[1] == "-", light.kind != LightKind::Specular, "{row:?}");
     }
-    assert_row("drawn", modes);
-    assert_row(
-        "bytes",
-        modes.map(|it| it.map(|level| f64::from(display_step(level)))),
-    );
     let exact = surface.sample.as_ref().expect("the same face");
     assert!(exact.position.x < -1.0);
-    for (cell, value) in cells(products, "position")
-        .iter()
-        .zip(exact.position.to_array())
-    {
-        assert_shows(cell, value);
+    assert_row("pixel", "position", exact.position);
+    for (mode, drawn, exact) in [
+        ("Gouraud", surface.gouraud, exact.gouraud),
+        ("Phong", surface.phong, exact.phong),
+    ] {
+        assert_row(mode, "drawn", drawn);
+        assert_row(mode, "reference", exact);
+        let bytes = drawn.to_array().map(|level| f64::from(display_step(level)));
+        assert_row(mode, "bytes", DVec3::from(bytes));
     }
-    let exact = [exact.gouraud, exact.phong].map(|it| it.to_array());
-    assert_row("reference", exact);
 
     // At an edge the reference may see another triangle, or another face.
     let surface = probe.surface.as_mut().expect("set above");
@@ -175,7 +165,7 @@ fn the_text_shows_every_value_in_rows() {
     surface.sample = None;
     let lines = probe.lines();
     assert!(lines[2].ends_with("n -"), "{lines:?}");
-    assert!(cells(&lines, "reference").ends_with(&["-"; 3].map(str::to_owned)));
+    assert_eq!(cells(&lines, "Phong", "reference"), ["-"; 3]);
     probe.surface = None;
     assert_eq!(probe.lines(), ["pixel 31,7: background"]);
 }

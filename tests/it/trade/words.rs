@@ -29,14 +29,14 @@ fn measured(trade: Trade) -> Vec<Measurement> {
 /// For each trade and method (0 is Gouraud, 1 half a level, 2 exact): parts of the sentence, and parts that are not in it.
 const SENTENCES: &str = "\
 usual 0: 2.3 times faster|half a level|off by 165 -- about as fast
-usual 1: 2.2 times faster than exact Phong|off by 0.500|Gouraud is 2.3 times faster than it, off by 165 -- slower
+usual 1: 2.2 times faster than exact Phong|off by 0.500|Gouraud is 2.3 times faster than this, off by 165 -- slower
 usual 2: 2.2 times slower than Phong within half a level|off by 0 |Gouraud is 5 times faster -- 2.3
 alike 0: about as fast|half a level|off by 165 -- times
 as-fast 0: 2.3 times faster than Phong within half a level -- exact
 as-fast 1: about as fast as exact Phong|Gouraud is 2.3 times -- slower
 as-fast 2: about as fast as Phong within half a level|Gouraud is 2.3 times -- 2.2
 faster 1: 1.5 times slower|exact Phong -- as fast
-alike 1: Gouraud is about as fast as it, off by 165 -- 2.3
+alike 1: Gouraud is about as fast as this, off by 165 -- 2.3
 invisible 0: 2.3 times faster|0.310 -- Gouraud is|slower
 too-short 0: faster -- times|inf|NaN";
 
