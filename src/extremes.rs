@@ -46,7 +46,7 @@ pub struct Extreme {
     pub size: [usize; 2],
     projections: Vec<Projection>,
     pub modes: Vec<ShadingMode>,
-    fact: Option<KnownFact>,
+    pub fact: Option<KnownFact>,
 }
 
 impl Default for Extreme {
@@ -62,9 +62,9 @@ impl Default for Extreme {
 }
 
 /// A property of every picture, known on paper.
-#[derive(Clone, Copy, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum KnownFact {
+pub enum KnownFact {
     /// No cuboid is visible.
     Background,
     /// Only this cuboid is visible, counted from 0 in the order of the file.
@@ -281,54 +281,5 @@ impl Extreme {
             );
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The outcome of an extreme with this fact instead of its own.
-    fn outcome(name: &str, fact: Option<KnownFact>) -> Outcome {
-        let mut extremes = named(&[name.to_owned()]).expect("it is built in");
-        extremes[0].fact = fact;
-        examine(&extremes, Level::new(), Monitor::NONE).remove(0)
-    }
-
-    #[test]
-    fn every_picture_is_proven_at_both_tolerances() {
-        let found = outcome("assignment", None);
-        let is_whole = found.observed.contains("in 16 pictures");
-        assert!(found.pass && is_whole, "{found:?}");
-        let found = outcome("slab-1e4", None);
-        let mut words = ["e-5 level at tolerance 0, ", ", 0.4"].iter();
-        assert!(words.all(|it| found.observed.contains(it)), "{found:?}");
-    }
-
-    #[test]
-    fn a_wrong_fact_fails() {
-        for (fact, expected) in [
-            (KnownFact::Cuboid(0), true),
-            (KnownFact::Cuboid(1), false),
-            (KnownFact::Background, false),
-            (KnownFact::Everywhere(1.0), false),
-        ] {
-            assert_eq!(outcome("assignment", Some(fact)).pass, expected);
-        }
-    }
-
-    #[test]
-    fn only_a_pixel_that_is_known_may_be_undecided() {
-        let pass = |fact| outcome("point-over-a-light-an-ulp-under-it", fact).pass;
-        let at = [7, 4];
-        assert!(pass(Some(KnownFact::Pixel {
-            at,
-            levels: [30.0; 3]
-        })));
-        assert!(!pass(Some(KnownFact::Pixel {
-            at,
-            levels: [31.0; 3]
-        })));
-        assert!(!pass(None));
     }
 }

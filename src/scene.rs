@@ -178,7 +178,7 @@ impl Scene {
 /// Reads a file of at most `largest` MiB. An endless device is refused, too.
 ///
 /// # Errors
-/// When it is larger or cannot be read.
+/// If it is larger or cannot be read.
 pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let file = File::open(path)?;

@@ -29,7 +29,7 @@ pub const FRAME: [fn(&mut World, &View, &mut Frame); 6] = [
 /// Draws one frame of `view.size`: every stage in order.
 ///
 /// # Errors
-/// When the picture does not fit in memory.
+/// If the picture does not fit in memory.
 pub fn draw(world: &mut World, view: &View, frame: &mut Frame) -> Result<(), OutOfMemory> {
     draw_rows(world, view, 0..view.size[1], frame)
 }

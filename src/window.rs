@@ -59,8 +59,8 @@ const BUSY_PAUSE: Duration = Duration::from_millis(2);
 const IDLE_PAUSE: Duration = Duration::from_millis(16);
 /// How long after the last event the user counts as busy.
 const BUSY_TIME: Duration = Duration::from_secs(1);
-/// The pixels are shown again this often though nothing has changed, for the system does not say when another window
-/// has covered them; less often where it would take more than one part in [`PRESENT_SHARE`] of the time.
+/// The pixels are shown again after this time even if nothing has changed, because the system does not say when another window
+/// has covered them. Less often if this would take more than one part in [`PRESENT_SHARE`] of the time.
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
 

@@ -89,7 +89,7 @@ pub struct App {
 pub struct StepOutput {
     /// A text for the clipboard.
     pub copied: Option<String>,
-    /// The time after which a step is wanted though nothing happens.
+    /// The time after which a step is wanted even if nothing happens.
     pub repaint_after: Duration,
 }
 
@@ -97,7 +97,7 @@ impl App {
     /// Starts with `drawing`. Without threads in the background, questions about the picture are answered at once.
     ///
     /// # Errors
-    /// When the system gives no threads.
+    /// If the system gives no threads.
     pub fn new(drawing: Drawing, has_threads: bool) -> anyhow::Result<Self> {
         let (level, threads) = (drawing.level, drawing.threads);
         let workers = drawing.workers()?;
@@ -163,7 +163,7 @@ impl App {
     /// Applies the events of `input` and draws the window of `size` pixels.
     ///
     /// # Errors
-    /// When the picture does not fit in memory.
+    /// If the picture does not fit in memory.
     pub fn step(
         &mut self,
         now: Duration,

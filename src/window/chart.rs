@@ -25,6 +25,8 @@ use crate::trade::verdict::{UNSEEN, method_name, sentence};
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
+const CAPTION: &str = "A dot is a method, a bar the range of its times. The line joins the best trades. A ring marks the \
+                       method on screen. Errors above one level are visible.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.
@@ -52,11 +54,12 @@ impl App {
             ui.set_min_height(SENTENCE);
             self.sentence(ui);
         });
-        ui.small(match (self.facts.trade.is_current, self.progress()) {
+        let caption = ui.small(match (self.facts.trade.is_current, self.progress()) {
             (false, Some((step, share))) => format!("{step}, {:.0} %", share * 100.0),
             (false, None) => "measured in another view; new times follow".to_owned(),
             _ => "up: error, levels; right: ms a frame".to_owned(),
         });
+        caption.on_hover_text(CAPTION);
         let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
         let is_current = self.facts.trade.is_current;

@@ -106,7 +106,7 @@ impl Display {
     /// Puts a text on the system's clipboard.
     ///
     /// # Errors
-    /// When there is none.
+    /// If there is none.
     pub fn copy(&mut self, text: String) -> anyhow::Result<()> {
         Ok(opened(&mut self.clipboard)?.set_text(text)?)
     }
@@ -114,7 +114,7 @@ impl Display {
     /// Shows pixels, `0x00RRGGBB`, row by row from the top, and gathers events.
     ///
     /// # Errors
-    /// When the window system refuses them.
+    /// If the window system refuses them.
     pub fn present(&mut self, pixels: &[u32], [width, height]: [usize; 2]) -> anyhow::Result<()> {
         let result = self.window.update_with_buffer(pixels, width, height);
         self.gather();
@@ -246,7 +246,7 @@ fn key_first(reports: &mut [KeyReport]) {
 /// around a window of minifb on Wayland, so its X server is taken where there is one.
 ///
 /// # Errors
-/// When the program cannot be restarted.
+/// If the program cannot be restarted.
 pub fn restart_in_fit_environment() -> anyhow::Result<()> {
     #[cfg(all(unix, not(target_os = "macos")))]
     {

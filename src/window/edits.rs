@@ -28,7 +28,7 @@ impl App {
     /// Writes unsaved edits into a new file; returns a sentence with its path.
     ///
     /// # Errors
-    /// When it cannot be written.
+    /// If it cannot be written.
     pub fn rescue(&self) -> anyhow::Result<Option<String>> {
         if !self.is_edited() {
             return Ok(None);

@@ -82,7 +82,7 @@ pub enum Question {
 /// The threads that probe, and those that answer all other questions; one core is left for the window.
 ///
 /// # Errors
-/// When the system gives no threads.
+/// If the system gives no threads.
 pub fn pools() -> anyhow::Result<[ThreadPool; 2]> {
     let pool = |threads: usize| {
         let pool = ThreadPoolBuilder::new().num_threads(threads.max(1)).build();

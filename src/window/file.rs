@@ -78,7 +78,7 @@ impl SceneFile {
     /// Saves the scene to its file, or to a new one in `folder`; returns the file.
     ///
     /// # Errors
-    /// When it cannot be written.
+    /// If it cannot be written.
     pub fn save(
         &mut self,
         record: &Arc<SceneRecord>,
@@ -110,7 +110,7 @@ impl SceneFile {
     /// Writes edits that were never saved into a file beside the scene's.
     ///
     /// # Errors
-    /// When it cannot be written.
+    /// If it cannot be written.
     pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
         write_new(folder, &format!("{}-unsaved", self.stem()), &text)

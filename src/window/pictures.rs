@@ -67,7 +67,7 @@ impl Pictures {
     /// Draws all pictures that `viewer` shows.
     ///
     /// # Errors
-    /// When they do not fit in memory.
+    /// If they do not fit in memory.
     pub fn draw(
         &mut self,
         world: &mut World,

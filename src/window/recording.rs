@@ -54,7 +54,7 @@ impl Recorder {
     /// Writes the difference from the state that was noted before.
     ///
     /// # Errors
-    /// When it cannot be written.
+    /// If it cannot be written.
     pub fn note(
         &mut self,
         now: Duration,
@@ -90,7 +90,7 @@ impl Recorder {
 /// The patch that leads from one state to another.
 ///
 /// # Errors
-/// When a record cannot be written as JSON.
+/// If a record cannot be written as JSON.
 pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Patch> {
     let [before, after] = [serde_json::to_value(before)?, serde_json::to_value(after)?];
     Ok(json_patch::diff(&before, &after))
@@ -99,7 +99,7 @@ pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Pa
 /// The record that a patch makes of another one.
 ///
 /// # Errors
-/// When the patch does not apply, or its result is no valid scene.
+/// If the patch does not apply, or its result is no valid scene.
 pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecord> {
     let mut value = serde_json::to_value(record)?;
     json_patch::patch(&mut value, patch)?;

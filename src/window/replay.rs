@@ -45,7 +45,7 @@ pub fn play(app: &mut App, frame: &RecordedFrame) -> anyhow::Result<()> {
 /// Draws the window as `log` says, and hands over each of its frames with the window's size.
 ///
 /// # Errors
-/// When a frame does not fit in memory, or `take` fails.
+/// If a frame does not fit in memory, or `take` fails.
 pub fn draw(
     log: &Log,
     drawing: Drawing,
@@ -71,7 +71,7 @@ pub fn draw(
 /// picture where that is asked for.
 ///
 /// # Errors
-/// When a frame does not fit in memory, or something cannot be written.
+/// If a frame does not fit in memory, or something cannot be written.
 pub fn run(
     log: &Log,
     drawing: Drawing,

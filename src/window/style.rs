@@ -29,7 +29,7 @@ pub fn mode_ink(mode: ShadingMode) -> Color32 {
 pub fn apply(context: &Context) {
     context.set_theme(Theme::Dark);
     context.all_styles_mut(|style| {
-        // An animation would draw frames though nothing changes.
+        // An animation would draw frames while nothing changes.
         style.animation_time = 0.0;
         for (name, font) in &mut style.text_styles {
             font.size = match name {

@@ -5,7 +5,7 @@ use egui::{Align, Color32, ComboBox, Frame, Layout, RichText, TextWrapMode, Ui, 
 use super::app::App;
 use super::viewport::DIVIDER_MARGIN;
 use super::widgets::{ink, short};
-use crate::components::{Side, Tab, ViewMode};
+use crate::components::{ShadingMode, Side, Tab, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
@@ -16,6 +16,9 @@ const GAP: f32 = 9.0;
 /// The height of a tag, in points.
 const HEIGHT: f32 = 92.0;
 const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
+
+const SHORTCUT: &str =
+    "The assignment's shortcut: n, l and o are interpolated as unit vectors and not normalised.";
 
 /// The sides to choose from.
 fn choices() -> Vec<Side> {
@@ -79,7 +82,15 @@ impl App {
                     let methods = ComboBox::from_id_salt(index).selected_text(name);
                     methods.height(400.0).show_ui(ui, |ui| {
                         for side in choices() {
-                            ui.selectable_value(&mut sides[index], side, self.side_name(&side));
+                            let name = self.side_name(&side);
+                            let row = ui.selectable_value(&mut sides[index], side, name);
+                            if let Side::Method {
+                                mode: ShadingMode::UnitVectors,
+                                ..
+                            } = side
+                            {
+                                row.on_hover_text(SHORTCUT);
+                            }
                         }
                     });
                     if self.prices()[index].is_some_and(|price| self.price(ui, price)) {

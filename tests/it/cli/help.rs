@@ -1,18 +1,9 @@
-//! The examples of the help, and the names of built-in scenes, are accepted by the parser.
+//! The examples of the help are accepted by the parser.
 
 use std::ffi::OsString;
 
 use clap::CommandFactory;
 use shadetrade::cli::{self, Arguments};
-use shadetrade::scene::BUILT_IN;
-
-#[test]
-fn every_built_in_scene_opens_by_its_name_alone() {
-    for (name, _) in BUILT_IN {
-        let parsed = cli::parse(["shadetrade", name].map(OsString::from));
-        assert!(matches!(parsed, Ok(Some(_))), "{name}: {parsed:?}");
-    }
-}
 
 #[test]
 fn every_command_has_examples_that_parse() {

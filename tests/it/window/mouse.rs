@@ -10,10 +10,10 @@ use super::{PAUSE, SIZE, Window};
 use crate::support::records;
 use crate::support::window::default_scene;
 
-/// A window on the default scene with a visible light beside the cuboid.
-fn with_light_in_sight() -> Window {
+/// A window on the default scene with a light at this height above the cuboid; one at 2 is in sight.
+fn with_light_at(height: f64) -> Window {
     let mut record = SceneRecord::of(&default_scene().world);
-    let light = records::light("near", LightKind::Diffuse, 50.0, [0.0, 2.0, 1.0]);
+    let light = records::light("near", LightKind::Diffuse, 50.0, [0.0, height, 1.0]);
     record.light.push(light);
     Window::of(Scene::spawn("lit".to_owned(), &record), SIZE)
 }
@@ -52,7 +52,7 @@ fn each_notch_of_the_wheel_is_a_step_and_the_same_number_back_undoes_them_bit_fo
 
 #[test]
 fn a_click_selects_in_the_scenes_tab() {
-    let mut window = with_light_in_sight();
+    let mut window = with_light_at(2.0);
     window.press(Key::E);
     window.step(Vec::new());
     window.click(place_of(&window, "near"));
@@ -111,8 +111,8 @@ fn lights_of_one_position_have_discs_of_their_own() {
 
 #[test]
 fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
-    for steps in [1, 3, 300] {
-        let mut window = with_light_in_sight();
+    for (steps, height) in [(1, 2.0), (3, 2.0), (300, 2.0), (3, 9.0)] {
+        let mut window = with_light_at(height);
         window.size = [600, 200];
         window.press(Key::E);
         window.step(Vec::new());
@@ -127,11 +127,8 @@ fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
         window.button(from + by, false);
         let missed = place_of(&window, "near").distance(from + by);
         assert!(missed < 3.0, "{missed} pixels in {steps} steps");
-        let position = window.record().light[4]
-            .position
-            .expect("a place")
-            .to_array();
-        for number in position {
+        let position = window.record().light[4].position.expect("a place");
+        for number in position.to_array() {
             assert!(format!("{number}").len() <= 6, "{position:?}");
         }
     }
@@ -196,7 +193,7 @@ fn the_rotation_follows_the_clock_and_stops_where_it_is_switched_off() {
 
 #[test]
 fn a_light_dragged_beyond_the_range_of_positions_stays() {
-    let mut window = with_light_in_sight();
+    let mut window = with_light_at(2.0);
     let far = 9.99e99;
     let lights = window
         .app
