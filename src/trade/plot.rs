@@ -59,8 +59,8 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     let key = if points.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
-        "Filled: nothing beats the method in error and time both; the line joins these. Bar: the range of its time. \
-         An error below 0.001 is drawn at 0.001."
+        "Filled: a best trade; the line joins them. Bar: the range of a method's time. An error below 0.001 is drawn \
+         at 0.001."
     };
     chart::svg(SIZE, |area| {
         let title = "The cost and the error of each shading method";

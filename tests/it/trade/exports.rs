@@ -145,7 +145,7 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
     report.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
     report.methods[2].error = Some(with_max(1e-30));
     let plot = Svg::of(&report);
-    assert_eq!(plot.rows("Filled: nothing beats the method").len(), 1);
+    assert_eq!(plot.rows("Filled: a best trade").len(), 1);
     for one in &report.methods {
         let is_label = |text: &&Element| text.text.trim() == one.method.id;
         assert_eq!(plot.text.iter().filter(is_label).count(), 1);
