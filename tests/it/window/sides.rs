@@ -102,22 +102,21 @@ fn two_pictures_take_turns_while_a_key_is_held() {
 #[test]
 fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     let probed = |window: &Window| window.app.viewer().pixel;
-    // Gouraud's lies right of the divider, which moves off it.
+    // Phong's lies left of the divider, which moves off it.
     let mut window = open(None);
     let mut harness = widgets(measured(), SIZE);
     harness.key_press(Key::F3);
     harness.run_ok();
-    let tag = harness.get_by_label("worst pixel 165 of 255").rect();
+    let tag = harness.get_by_label("worst pixel 0.500 of 255").rect();
     window.click(tag.center());
     // The inspector takes room from the picture, whose errors are measured again.
     window.step(Vec::new());
     assert_eq!(probed(&window), None);
     window.app.facts.trade.finish(measured().facts.trade.value);
     window.step(Vec::new());
-    assert_eq!(probed(&window), Some(WORST[1]));
-    let divider = window.app.viewer().divider;
+    assert_eq!(probed(&window), Some(WORST[0]));
     let [width, _] = window.app.picture_size();
-    assert!(divider > WORST[1][0] as f64 / width as f64, "{divider}");
+    assert!(window.app.viewer().divider < WORST[0][0] as f64 / width as f64);
     // The key chooses the side that errs more.
     let mut window = open(Some(Tab::Scene));
     window.press(Key::Y);

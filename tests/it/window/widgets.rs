@@ -277,6 +277,7 @@ fn numbers_are_typed_within_their_range() {
         let found = [cuboid.position, cuboid.size][usize::from(label == "size")];
         assert_eq!(found[column], wanted, "{label} {text}");
     }
+    assert!(harness.state().desk.message.is_none(), "nan is no number");
     enter(&mut harness, "shininess", 0, "5");
     assert_eq!(record(&harness).cuboid[0].material.shininess, 5.0);
     let background = record(&harness).background;
