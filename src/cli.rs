@@ -71,7 +71,7 @@ Examples:
     #[command(after_help = "Example:\n  shadetrade figures -o pictures")]
     Figures {
         /// The folder for the figures, created if absent
-        #[arg(short, long, value_name = "DIR", value_parser = commands::folder(), default_value = DEFAULT_FIGURES)]
+        #[arg(short, long, value_name = "DIR", value_parser = commands::path(), default_value = DEFAULT_FIGURES)]
         output: PathBuf,
     },
     /// Measures the time and the error of every shading method, and names the methods worth their time

@@ -29,8 +29,9 @@ const FOLDER: &str = "extremes/";
 /// Width and height of a picture where the index names none, in pixels.
 pub const SIZE: [usize; 2] = [144, 108];
 
-/// The pictures from one camera together show cuboids at one of this many pixels of a picture at least: fewer prove little.
-const PIXELS_A_COVERED_ONE: u64 = 70;
+/// At least one pixel in this many shows a cuboid: the pixels of all pictures from one camera are counted, and compared with
+/// those of one picture. Fewer prove little.
+const ONE_COVERED_IN: u64 = 70;
 
 /// Every picture is proven at these.
 const TOLERANCES: [f64; 2] = [0.0, 0.5];
@@ -220,7 +221,7 @@ impl Extreme {
                 }
             }
             ensure!(
-                seen * PIXELS_A_COVERED_ONE >= (self.size[0] * self.size[1]) as u64
+                seen * ONE_COVERED_IN >= (self.size[0] * self.size[1]) as u64
                     || self.fact.is_some(),
                 "camera {camera}: only {seen} pixels show a cuboid"
             );

@@ -29,7 +29,7 @@ pub struct ViewOptions {
     #[command(flatten)]
     pub budget: BudgetOption,
     /// Records all events into a new file, for `replay`
-    #[arg(long, value_name = "LOG", value_parser = folder())]
+    #[arg(long, value_name = "LOG", value_parser = path())]
     pub record: Option<PathBuf>,
 }
 
@@ -77,7 +77,7 @@ pub struct TradeOptions {
     #[command(flatten)]
     pub drawing: DrawingOptions,
     /// The folder for trade.json, trade.md, trade.svg (error against time) and an error map of each method, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = folder())]
+    #[arg(short, long, value_name = "DIR", value_parser = path())]
     pub output: Option<PathBuf>,
     /// Takes the least number of samples; the same as --seconds 0
     #[arg(long, conflicts_with = "seconds")]
@@ -107,8 +107,8 @@ impl TradeOptions {
         } else {
             self.drawing.open(None)?
         };
-        for name in trade::FILES {
-            if let (Some(scene), Some(folder)) = (&drawing.scene.path, &self.output) {
+        if let (Some(scene), Some(folder)) = (&drawing.scene.path, &self.output) {
+            for name in trade::FILES {
                 options::refuse_to_replace(scene, &Output::File(folder.join(name)))?;
             }
         }
@@ -205,7 +205,7 @@ pub struct ExtremesOptions {
     #[arg(long)]
     pub chart: bool,
     /// The folder for the charts, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = folder())]
+    #[arg(short, long, value_name = "DIR", value_parser = path())]
     #[arg(requires = "chart", conflicts_with = "names")]
     pub output: Option<PathBuf>,
     /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
@@ -239,7 +239,7 @@ fn file(endings: &'static [&'static str]) -> impl TypedValueParser<Value = Outpu
 }
 
 /// Refuses standard output, which holds neither the files of a folder nor a recording.
-pub(super) fn folder() -> impl TypedValueParser<Value = PathBuf> {
+pub(super) fn path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| match path.to_str() {
         Some("") => Err("it needs a name"),
         Some("-") => Err("it is not written to standard output; ./- has that name"),

@@ -1,8 +1,8 @@
 //! The clock of drawn frames, and robust statistics of their times.
 //!
-//! A measurement consists of [`BATCHES`]. Each starts with a new frame and a new copy of the scene. In a batch the methods take turns
-//! in random order, so that a slow moment of the machine affects all alike. The first frame of a turn warms caches and branch
-//! predictors and is not timed.
+//! A measurement consists of [`BATCHES`]. Each starts with a new frame and a new copy of the scene. In a batch the methods
+//! take turns in random order, so that a slow moment of the machine affects all alike. The first frame of a turn warms caches
+//! and branch predictors and is not timed.
 //!
 //! ```text
 //! batch 1   turn 1   - C C C   - A A A   - B B B        - is not timed

@@ -123,7 +123,7 @@ impl App {
     /// Explains the worst pixel that is sought if the errors are known, and moves the divider where the other side of a wipe
     /// hides it. Returns whether it has.
     pub(super) fn explain_sought(&mut self) -> bool {
-        let is_known = self.facts.trade.current().is_some();
+        let is_known = self.facts.trade.is_current;
         let Some(index) = self.desk.sought.take_if(|_| is_known) else {
             return false;
         };
