@@ -13,7 +13,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::{Event, OutputCommand, Rect, ViewportId};
-use fearless_simd::Level;
 use hecs::{Ref, RefMut};
 use rayon::ThreadPool;
 
@@ -72,8 +71,6 @@ pub struct App {
     pub(super) pools: Option<[ThreadPool; 2]>,
     /// The probe, and the work on another question.
     pub(super) works: [Option<Work>; 2],
-    pub(super) level: Level,
-    pub(super) threads: usize,
     /// When the picture last changed, until it rests.
     pub(super) moved: Option<Duration>,
     next_degree: Duration,
@@ -99,7 +96,6 @@ impl App {
     /// # Errors
     /// If the system gives no threads.
     pub fn new(drawing: Drawing, has_threads: bool) -> anyhow::Result<Self> {
-        let (level, threads) = (drawing.level, drawing.threads);
         let workers = drawing.workers()?;
         let scene = drawing.scene;
         let state = Arc::new(SceneRecord::of(&scene.world));
@@ -129,8 +125,6 @@ impl App {
             size: [0, 0],
             pools: has_threads.then(pools).transpose()?,
             works: [None, None],
-            level,
-            threads,
             moved: None,
             next_degree: Duration::ZERO,
             next_progress: Duration::ZERO,

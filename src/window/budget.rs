@@ -51,8 +51,7 @@ impl App {
     fn last_frame(&self) -> Option<f64> {
         let (state, _, method) = self.drawn.as_ref()?;
         let is_held = *method == self.held && !Arc::ptr_eq(state, &self.state);
-        let time = self.pictures.time.filter(|_| is_held);
-        Some(time?.as_secs_f64() * 1e3)
+        self.pictures.time.filter(|_| is_held)
     }
 
     /// Holds this time, in milliseconds, or the error again: that of the method on screen.

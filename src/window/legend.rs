@@ -16,7 +16,7 @@ impl App {
         match self.viewer().show {
             ViewMode::Error => self.error_legend(ui),
             ViewMode::Tiles => {
-                let counts = self.pictures.counts().tiles;
+                let counts = self.pictures.frame.counts().tiles;
                 let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
                 for ((kind, tint), count) in kinds {
                     let row = swatch(ui, tint, &format!("{count} {}", kind.name()));

@@ -4,12 +4,12 @@
 //! shown as the frame dimmed, never as something else.
 
 use std::borrow::Cow;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use hecs::World;
 
 use crate::components::{ShadingMode, Side, View, ViewMode, Viewer};
-use crate::frame::{Counts, Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
 use crate::memory::OutOfMemory;
 use crate::shading::TileKind;
 use crate::systems;
@@ -30,12 +30,13 @@ pub const TINTS: [u32; TileKind::ALL.len()] = [
 
 /// The frames of the present state.
 pub struct Pictures {
-    frame: Frame,
+    /// The frame as it is shaded; in a wipe the last side that was drawn.
+    pub frame: Frame,
     levels: Frame,
     /// Left and right of the divider, as far as the renderer draws them; 0x00RRGGBB.
     pub sides: [Vec<u32>; 2],
-    /// The time of the last frame; `None` in a wipe, which has two.
-    pub time: Option<Duration>,
+    /// The milliseconds of the last frame; `None` in a wipe, which has two.
+    pub time: Option<f64>,
 }
 
 impl Pictures {
@@ -49,21 +50,6 @@ impl Pictures {
         }
     }
 
-    /// Width and height in pixels.
-    pub fn size(&self) -> [usize; 2] {
-        self.frame.size()
-    }
-
-    /// The counts of the last frame.
-    pub fn counts(&self) -> Counts {
-        self.frame.counts()
-    }
-
-    /// The frame as it is shaded, 0x00RRGGBB.
-    pub fn frame(&self) -> &[u32] {
-        self.frame.pixels()
-    }
-
     /// Draws all pictures that `viewer` shows.
     ///
     /// # Errors
@@ -75,29 +61,27 @@ impl Pictures {
         view: &View,
     ) -> Result<(), OutOfMemory> {
         self.time = None;
-        if viewer.show != ViewMode::Wipe {
-            let start = Instant::now();
-            systems::draw(world, view, &mut self.frame)?;
-            self.time = Some(start.elapsed());
-        }
-        if viewer.show == ViewMode::Tiles {
-            systems::draw(world, view, &mut self.levels)?;
-        }
         if viewer.show == ViewMode::Wipe {
             for (side, pixels) in viewer.sides.iter().zip(&mut self.sides) {
                 if let Some(view) = side_view(side, view) {
                     systems::draw(world, &view, &mut self.frame)?;
-                    pixels.clear();
-                    pixels.extend_from_slice(self.frame.pixels());
+                    self.frame.pixels().clone_into(pixels);
                 }
             }
+            return Ok(());
+        }
+        let start = Instant::now();
+        systems::draw(world, view, &mut self.frame)?;
+        self.time = Some(start.elapsed().as_secs_f64() * 1e3);
+        if viewer.show == ViewMode::Tiles {
+            systems::draw(world, view, &mut self.levels)?;
         }
         Ok(())
     }
 
     /// The frame with its tiles tinted, 0x00RRGGBB.
     pub fn tiles(&self) -> Vec<u32> {
-        let mut pixels = self.frame().to_vec();
+        let mut pixels = self.frame.pixels().to_vec();
         tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
         pixels
     }

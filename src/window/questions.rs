@@ -32,11 +32,12 @@ impl App {
     pub fn ask(&mut self) {
         let viewer = Viewer::clone(&self.viewer());
         let tab = viewer.inspector;
-        let (level, is_live) = (self.level, self.pools.is_some());
+        let level = self.pictures.frame.workers().level();
+        let is_live = self.pools.is_some();
         let shows_exact = self.desk.blinks.is_some()
             || viewer.show == ViewMode::Error
             || viewer.show == ViewMode::Wipe && viewer.sides.contains(&Side::Reference);
-        let [width, height] = self.pictures.size();
+        let [width, height] = self.pictures.frame.size();
         if let Some(pixel) = viewer.pixel.filter(|[x, y]| *x < width && *y < height) {
             self.find(
                 Question::Probe,
@@ -83,7 +84,8 @@ impl App {
         if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
             return;
         }
-        let (threads, level) = (self.threads, self.level);
+        let workers = self.pictures.frame.workers();
+        let (threads, level) = (workers.threads(), workers.level());
         self.find(
             Question::Measure,
             |facts| &mut facts.trade,
@@ -188,8 +190,7 @@ impl App {
 
     /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
     pub fn milliseconds(&self) -> Option<f64> {
-        let last = || self.pictures.time.map(|time| time.as_secs_f64() * 1e3);
-        self.measured_time().or_else(last)
+        self.measured_time().or(self.pictures.time)
     }
 
     /// The measured median of the method on screen, in milliseconds.

@@ -75,7 +75,7 @@ impl App {
         let sides = self.viewer().sides;
         let exact = self.facts.comparison.current().map(|it| &*it.exact);
         match sides[index] {
-            Side::Reference => or_dimmed(exact, self.pictures.frame()),
+            Side::Reference => or_dimmed(exact, self.pictures.frame.pixels()),
             _ => Cow::from(&self.pictures.sides[index]),
         }
     }
@@ -85,7 +85,7 @@ impl App {
         let viewer = self.viewer();
         let comparison = self.facts.comparison.current();
         let exact = comparison.map(|it| it.exact.as_slice());
-        let frame = self.pictures.frame();
+        let frame = self.pictures.frame.pixels();
         match (viewer.show, self.turn()) {
             (ViewMode::Wipe, Some(turn)) => self.side(turn),
             (_, Some(0)) => or_dimmed(exact, frame),
@@ -93,7 +93,7 @@ impl App {
             (ViewMode::Error, None) => or_dimmed(comparison.map(|it| &*it.error_map), frame),
             (ViewMode::Tiles, None) => self.pictures.tiles().into(),
             (ViewMode::Wipe, None) => {
-                let width = self.pictures.size()[0];
+                let width = self.pictures.frame.size()[0];
                 let divider = divider_column(viewer.divider, width);
                 let (mut pixels, right) = (self.side(0).into_owned(), self.side(1));
                 let lines = pixels.chunks_exact_mut(width);
@@ -115,7 +115,7 @@ impl App {
         let [red, green, blue, _] = ground.to_array();
         let ground = u32::from_be_bytes([0, red, green, blue]);
         pixels.fill(ground);
-        let columns = self.pictures.size()[0];
+        let columns = self.pictures.frame.size()[0];
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
         let lines = pixels.chunks_exact_mut(width).skip(top);

@@ -40,7 +40,7 @@ fn picture_and_numbers_belong_to_the_scene_that_is_shown() {
         assert_eq!(window.comparison().error, fresh.error, "{key:?}");
         assert!(window.comparison().exact == fresh.exact, "{key:?}");
         let frame = window.drawn(|view| view);
-        assert!(window.app.pictures.frame() == frame, "{key:?}");
+        assert!(window.app.pictures.frame.pixels() == frame, "{key:?}");
     }
 }
 
