@@ -153,11 +153,11 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
             {
                 app.say(format!("not copied: {error:#}"));
             }
-            display.present(app.pixels(), size)?;
+            display.present(&app.pixels, size)?;
             present_again = now + PRESENT_AGAIN;
         } else if now >= present_again {
             let before = start.elapsed();
-            display.present(app.pixels(), size)?;
+            display.present(&app.pixels, size)?;
             let after = start.elapsed();
             present_again = after + PRESENT_AGAIN.max(after.saturating_sub(before) * PRESENT_SHARE);
         } else {

@@ -64,7 +64,8 @@ pub struct App {
     /// Whether a field or a popup of the last layout takes Escape.
     pub(super) takes_escape: bool,
     pub(super) painter: Painter,
-    pub(super) pixels: Vec<u32>,
+    /// The pixels of the window as of the last step, row by row from the top.
+    pub pixels: Vec<u32>,
     /// Width and height of the window as of the last step, in pixels.
     pub(super) size: [usize; 2],
     /// The threads that probe, and those that answer all other questions.
@@ -147,11 +148,6 @@ impl App {
     /// Pixels of the window in a point of egui.
     pub fn scale(&self) -> f32 {
         self.painter.context.pixels_per_point()
-    }
-
-    /// The pixels of the window as of the last step, row by row from the top.
-    pub fn pixels(&self) -> &[u32] {
-        &self.pixels
     }
 
     /// Applies the events of `input` and draws the window of `size` pixels.

@@ -119,7 +119,7 @@ impl App {
         let index = usize::from(!is_probe);
         let work = self.works[index].as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
-        let rests = is_probe || self.pools.is_none() || self.rests();
+        let rests = is_probe || self.pools.is_none() || self.moved.is_none();
         if !is_open || !is_next || !rests {
             return;
         }

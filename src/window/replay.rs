@@ -99,7 +99,7 @@ pub fn run(
                     let lasts = times
                         .next()
                         .map_or(LAST, |next| next.saturating_sub(frame.at));
-                    Ok(animation.add(app.pixels(), size, lasts)?)
+                    Ok(animation.add(&app.pixels, size, lasts)?)
                 })?;
                 animation.finish()?;
                 output.write(file)
@@ -107,7 +107,7 @@ pub fn run(
             _ => draw(log, drawing, |app, frame, size| {
                 let is_last = note(app, frame)?;
                 match output.filter(|_| is_last) {
-                    Some(output) => output.write_png(app.pixels(), size),
+                    Some(output) => output.write_png(&app.pixels, size),
                     None => Ok(()),
                 }
             }),

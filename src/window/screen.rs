@@ -23,11 +23,6 @@ impl App {
         held.unwrap_or(view)
     }
 
-    /// Whether the picture has not changed for a while.
-    pub fn rests(&self) -> bool {
-        self.moved.is_none()
-    }
-
     /// Draws the pictures if the state or their size is another one.
     pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
         let view = self.view();
@@ -108,13 +103,13 @@ impl App {
     /// Copies the picture into its place in the window.
     pub(super) fn copy_picture(&mut self, [width, height]: [usize; 2]) {
         let mut pixels = std::mem::take(&mut self.pixels);
-        pixels.resize(width * height, 0);
         self.size = [width, height];
         // A panel may paint less than it takes: contents that are too wide are cut off.
         let ground = self.painter.context.global_style().visuals.panel_fill;
         let [red, green, blue, _] = ground.to_array();
         let ground = u32::from_be_bytes([0, red, green, blue]);
-        pixels.fill(ground);
+        pixels.clear();
+        pixels.resize(width * height, ground);
         let columns = self.pictures.frame.size()[0];
         let corner = self.place.min * self.scale();
         let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);

@@ -231,7 +231,7 @@ impl Window {
     fn seen(&self) -> Vec<u32> {
         let [left, top] = [self.app.place.min.x, self.app.place.min.y].map(|it| it as usize);
         let [width, height] = self.app.picture_size();
-        let rows = self.app.pixels().chunks_exact(self.size[0]);
+        let rows = self.app.pixels.chunks_exact(self.size[0]);
         let rows = rows.skip(top).take(height);
         let pixels = rows.flat_map(|row| &row[left..left + width]);
         pixels.map(|pixel| pixel & 0x00ff_ffff).collect()

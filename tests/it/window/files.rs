@@ -272,7 +272,7 @@ fn a_file_that_is_half_written_is_no_error() {
 #[test]
 fn screenshots_are_the_pixels_that_are_shown() {
     let mut window = Window::open();
-    let shown = window.app.pixels().to_vec();
+    let shown = window.app.pixels.clone();
     window.press(Key::F12);
     let picture = image::open(window.folder.path().join("shadetrade-001.png"));
     let picture = picture.expect("a picture").to_rgb8();

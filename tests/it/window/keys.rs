@@ -179,9 +179,9 @@ fn escape_closes_one_visible_thing_at_a_time() {
         // The last press closes nothing and names the key that quits.
         for _ in 0..presses {
             window.point_at(Pos2::ZERO);
-            let before = window.app.pixels().to_vec();
+            let before = window.app.pixels.clone();
             window.press(Key::Escape);
-            assert!(window.app.pixels() != before, "{size:?}");
+            assert!(window.app.pixels != before, "{size:?}");
         }
         assert_eq!(window.message(), "Q quits", "{size:?}");
     }
@@ -190,7 +190,7 @@ fn escape_closes_one_visible_thing_at_a_time() {
 #[test]
 fn in_a_narrow_window_panel_and_inspector_take_turns() {
     let mut window = Window::of(default_scene(), [400, 300]);
-    let folded = window.app.pixels().to_vec();
+    let folded = window.app.pixels.clone();
     for (key, is_folded, has_inspector) in [
         (Key::I, false, false),
         (Key::E, false, true),
@@ -200,7 +200,7 @@ fn in_a_narrow_window_panel_and_inspector_take_turns() {
         (Key::E, true, false),
     ] {
         window.press(key);
-        assert_eq!(window.app.pixels() == folded, is_folded, "{key:?}");
+        assert_eq!(window.app.pixels == folded, is_folded, "{key:?}");
         let tab = window.app.viewer().inspector;
         assert_eq!(tab.is_some(), has_inspector, "{key:?}");
         assert!(window.app.picture_size()[0] > 100, "a side takes the rest");

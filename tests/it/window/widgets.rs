@@ -353,13 +353,13 @@ fn nothing_of_a_closed_dialog_stays_on_screen() {
         app.shows_times = true;
         let mut window = Window::with(app, size);
         window.wait(PAUSE);
-        let before = window.app.pixels().to_vec();
+        let before = window.app.pixels.clone();
         window.press(Key::H);
         window.wait(PAUSE);
-        assert!(window.app.pixels() != before, "{size:?}: the help is shown");
+        assert!(window.app.pixels != before, "{size:?}: the help is shown");
         window.press(Key::H);
         window.wait(PAUSE);
-        let stale = before.iter().zip(window.app.pixels());
+        let stale = before.iter().zip(&window.app.pixels);
         // The status line has a time.
         let stale = stale
             .take(size[0] * (size[1] - 40))
