@@ -35,8 +35,8 @@ const FIRST: &str = "`scene`, which a recording begins with";
 /// Writes a log while things happen.
 pub struct Recorder {
     writer: Box<dyn Write>,
-    name: String,
-    state: Option<Arc<SceneRecord>>,
+    /// The name and the state of the scene that was noted last.
+    noted: Option<(String, Arc<SceneRecord>)>,
     size: [usize; 2],
 }
 
@@ -45,8 +45,7 @@ impl Recorder {
     pub fn new(writer: impl Write + 'static) -> Self {
         Recorder {
             writer: Box::new(writer),
-            name: String::new(),
-            state: None,
+            noted: None,
             size: [0, 0],
         }
     }
@@ -62,16 +61,14 @@ impl Recorder {
         state: &Arc<SceneRecord>,
         size: [usize; 2],
     ) -> io::Result<()> {
-        match self.state.replace(Arc::clone(state)) {
-            Some(before) if self.name == name => {
+        let scene = (name.to_owned(), Arc::clone(state));
+        match self.noted.replace(scene) {
+            Some((own, before)) if own == name => {
                 if before != *state {
                     self.line(now, "patch", &patch(&before, state)?)?;
                 }
             }
-            _ => {
-                name.clone_into(&mut self.name);
-                self.line(now, "scene", &json!({ "name": name, "scene": **state }))?;
-            }
+            _ => self.line(now, "scene", &json!({ "name": name, "scene": **state }))?,
         }
         if std::mem::replace(&mut self.size, size) != size {
             self.line(now, "size", &size)?;
