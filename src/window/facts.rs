@@ -1,7 +1,6 @@
 //! The facts about the picture, and the work in the background that finds them.
 
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -98,14 +97,11 @@ type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
 pub struct Work {
     pub question: Question,
     pub answer: Receiver<Answer>,
-    shared: Arc<Shared>,
+    progress: Arc<Mutex<Progress>>,
 }
 
-#[derive(Default)]
-struct Shared {
-    is_cancelled: AtomicBool,
-    progress: Mutex<(&'static str, f64)>,
-}
+/// The present step, and the share of it that is done, 0..=1.
+pub type Progress = (&'static str, f64);
 
 impl Work {
     /// Lets a thread of `pool` answer a question; without a pool it is answered at once.
@@ -115,17 +111,22 @@ impl Work {
         place: fn(&mut Facts) -> &mut Latest<T>,
         find: impl FnOnce(Monitor) -> anyhow::Result<T> + Send + 'static,
     ) -> Work {
-        let shared = Arc::<Shared>::default();
+        let progress = Arc::<Mutex<Progress>>::default();
         let (tell, answer) = mpsc::channel::<Answer>();
-        let own = Arc::clone(&shared);
+        // It lives as long as the work is wanted.
+        let wanted = Arc::downgrade(&progress);
         let work = move || {
-            let is_cancelled = || own.is_cancelled.load(Ordering::Relaxed);
+            let is_cancelled = || wanted.strong_count() == 0;
             if is_cancelled() {
                 return;
             }
             let monitor = Monitor {
                 is_cancelled: &is_cancelled,
-                progress: &|step, share| *own.progress() = (step, share),
+                progress: &|step, share| {
+                    if let Some(progress) = wanted.upgrade() {
+                        *progress.lock().unwrap_or_else(PoisonError::into_inner) = (step, share);
+                    }
+                },
             };
             // A panic was reported, and must not leave the question open for ever.
             let found = panic::catch_unwind(AssertUnwindSafe(|| find(monitor)));
@@ -145,24 +146,11 @@ impl Work {
         Work {
             question,
             answer,
-            shared,
+            progress,
         }
     }
 
-    /// The present step, and the share of it that is done, 0..=1.
-    pub fn progress(&self) -> (&'static str, f64) {
-        *self.shared.progress()
-    }
-}
-
-impl Shared {
-    fn progress(&self) -> std::sync::MutexGuard<'_, (&'static str, f64)> {
-        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-impl Drop for Work {
-    fn drop(&mut self) {
-        self.shared.is_cancelled.store(true, Ordering::Relaxed);
+    pub fn progress(&self) -> Progress {
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
