@@ -87,6 +87,14 @@ impl Pictures {
     }
 }
 
+/// The pictures left and right of the divider; where there is none, both are the picture.
+pub fn sides(viewer: &Viewer) -> [Side; 2] {
+    match viewer.show {
+        ViewMode::Wipe => viewer.sides,
+        _ => [Side::Picture; 2],
+    }
+}
+
 /// The view of one side of a wipe; `None` for the reference.
 pub fn side_view(side: &Side, view: &View) -> Option<View> {
     match *side {
@@ -98,11 +106,8 @@ pub fn side_view(side: &Side, view: &View) -> Option<View> {
 
 /// The view of the picture that is shown in a column; the reference's is exact Phong.
 pub fn view_at(viewer: &Viewer, view: &View, column: usize) -> View {
-    if viewer.show != ViewMode::Wipe {
-        return *view;
-    }
     let is_right = column >= divider_column(viewer.divider, view.size[0]);
-    let side = viewer.sides[usize::from(is_right)];
+    let side = sides(viewer)[usize::from(is_right)];
     let exact = || view.shaded(ShadingMode::Phong).with_tolerance(0.0);
     side_view(&side, view).unwrap_or_else(exact)
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Facts, Latest, Progress, Question, Work};
-use super::pictures::view_at;
+use super::pictures::{sides, view_at};
 use crate::components::{Mesh, ShadingMode, Side, Tab, View, ViewMode, Viewer, common_mode};
 use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
@@ -36,7 +36,7 @@ impl App {
         let is_live = self.pools.is_some();
         let shows_exact = self.desk.blinks.is_some()
             || viewer.show == ViewMode::Error
-            || viewer.show == ViewMode::Wipe && viewer.sides.contains(&Side::Reference);
+            || sides(&viewer).contains(&Side::Reference);
         let [width, height] = self.pictures.frame.size();
         if let Some(pixel) = viewer.pixel.filter(|[x, y]| *x < width && *y < height) {
             self.find(
@@ -201,12 +201,8 @@ impl App {
 
     /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
     fn wanted_methods(&self) -> Vec<Method> {
-        let viewer = self.viewer();
-        let sides = viewer
-            .sides
-            .iter()
-            .filter(|_| viewer.show == ViewMode::Wipe);
-        let sides = sides.filter_map(|side| self.side_method(side));
+        let sides = sides(&self.viewer()).into_iter();
+        let sides = sides.filter_map(|side| self.side_method(&side));
         // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
         let mut methods = METHODS.to_vec();
         methods.retain(|it| it.mode != ShadingMode::UnitVectors);

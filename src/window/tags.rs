@@ -3,6 +3,7 @@
 use egui::{Align, Color32, ComboBox, Frame, Layout, RichText, TextWrapMode, Ui, UiBuilder};
 
 use super::app::App;
+use super::pictures::sides;
 use super::viewport::DIVIDER_MARGIN;
 use super::widgets::{ink, short};
 use crate::components::{ShadingMode, Side, Tab, ViewMode};
@@ -48,10 +49,9 @@ impl App {
         }
     }
 
-    /// The measurements of both sides.
+    /// The measurements of the pictures left and right of the divider.
     fn prices(&self) -> [Option<&Measurement>; 2] {
-        let sides = self.viewer().sides;
-        sides.map(|side| self.measured(self.side_method(&side)?))
+        sides(&self.viewer()).map(|side| self.measured(self.side_method(&side)?))
     }
 
     /// Lays out the tag of each side in the corner of its half; while the sides take turns, that of the side on screen.
@@ -127,16 +127,11 @@ impl App {
         let Some(index) = self.desk.sought.take_if(|_| is_known) else {
             return false;
         };
-        let is_wipe = self.viewer().show == ViewMode::Wipe;
-        let price = if is_wipe {
-            self.prices()[index]
-        } else {
-            self.method().and_then(|method| self.measured(method))
-        };
-        let Some([x, y]) = price.and_then(Measurement::worst_pixel) else {
+        let Some([x, y]) = self.prices()[index].and_then(Measurement::worst_pixel) else {
             self.say("the picture has no worst pixel");
             return true;
         };
+        let is_wipe = self.viewer().show == ViewMode::Wipe;
         if is_wipe && usize::from(x >= self.divider_column()) != index {
             // A tenth of the width beside it, so that its surroundings are seen.
             let beside = [0.1, -0.1][index] + x as f64 / self.picture_size()[0] as f64;
@@ -149,9 +144,8 @@ impl App {
 
     /// Seeks the worst pixel of the picture, or of the side of a wipe that errs more.
     pub fn explain_worst(&mut self) {
-        let is_wipe = self.viewer().show == ViewMode::Wipe;
         let errors = self.prices().map(|price| price?.largest_error());
-        self.seek_worst(usize::from(is_wipe && errors[1] > errors[0]));
+        self.seek_worst(usize::from(errors[1] > errors[0]));
     }
 
     /// Seeks the worst pixel of a side. The tab for it opens first if there is room, because the picture has another size then.
