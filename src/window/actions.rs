@@ -112,8 +112,8 @@ impl App {
                 let after = self.history.redo(&self.state);
                 self.travel(after, "redo");
             }
-            Action::Save => drop(self.save(false)),
-            Action::SaveAs => drop(self.save(true)),
+            Action::Save => self.save(false),
+            Action::SaveAs => self.save(true),
             Action::Panel => self.fold_panel(),
             Action::Help => self.desk.help ^= true,
             Action::Screenshot => self.screenshot(),

@@ -100,19 +100,17 @@ impl App {
         });
     }
 
-    /// Saves the scene, to a new file if `new`, and says where, or why not. Returns whether it is saved.
-    pub fn save(&mut self, new: bool) -> bool {
+    /// Saves the scene, to a new file if `new`, and says where, or why not.
+    pub fn save(&mut self, new: bool) {
         let record = Arc::new(SceneRecord::of(&self.scene.world));
-        let saved = self.file.save(&record, &self.folder, new);
-        match &saved {
+        match self.file.save(&record, &self.folder, new) {
             Ok(path) => {
                 self.scene.name = path.to_string_lossy().into_owned();
-                self.scene.path = Some(path.clone());
+                self.say(format!("saved {}", quoted(&self.scene.name)));
+                self.scene.path = Some(path);
                 self.desk.file_error = None;
-                self.say(format!("saved {}", quoted(&path.to_string_lossy())));
             }
             Err(error) => self.say(format!("not saved: {error:#}")),
         }
-        saved.is_ok()
     }
 }
