@@ -1,5 +1,7 @@
 //! Keys and their actions. An action writes components of the World, or the state of the window alone.
 
+use std::sync::Arc;
+
 use egui::{Event, Key, Ui};
 use serde_json::{Value, json};
 
@@ -200,7 +202,8 @@ impl App {
             Some(record) => {
                 let [before, after] = [&*self.state, &record].map(|record| json!(record));
                 let text = format!("{verb}: {}", difference(&before, &after));
-                self.show(&record);
+                self.restore(&record);
+                self.adopt(Arc::new(record));
                 self.say(text);
             }
             None => self.say(format!("nothing to {verb}")),
@@ -233,20 +236,17 @@ impl App {
 }
 
 /// The key of the first difference between two records as JSON, in words: "light white on".
-pub(super) fn difference(before: &Value, after: &Value) -> String {
+pub(super) fn difference<'a>(before: &'a Value, after: &'a Value) -> String {
     let patch = json_patch::diff(before, after);
     let path = patch.first().map(|change| change.path().to_string());
     let path = path.unwrap_or_default();
     let keys: Vec<&str> = path.split('/').skip(1).collect();
-    let name = |record: &Value| {
-        let [kind, index] = [keys.first()?, keys.get(1)?];
-        let name = record.pointer(&format!("/{kind}/{index}/name"))?;
-        name.as_str().map(str::to_owned)
-    };
+    let entity = keys[..keys.len().min(2)].join("/");
+    let name = |record: &'a Value| record.pointer(&format!("/{entity}/name"))?.as_str();
     let name = name(before).or_else(|| name(after));
     let mut words = keys;
     words.retain(|key| key.parse::<usize>().is_err());
-    if let Some(name) = &name {
+    if let Some(name) = name {
         words.insert(1, name);
     }
     words.join(" ")

@@ -16,7 +16,7 @@ use egui::{Event, OutputCommand, Rect, ViewportId};
 use hecs::{Ref, RefMut};
 use rayon::ThreadPool;
 
-use super::changes::{is_another_method, is_another_view, shown};
+use super::changes::{is_another_method, is_another_view};
 use super::desk::{Desk, Message};
 use super::facts::{Facts, Question, Work, pools};
 use super::file::{INTERVAL, SceneFile};
@@ -203,27 +203,24 @@ impl App {
         self.ask();
         self.copy_picture(size);
         let commands = std::mem::take(&mut output.platform_output.commands);
+        let copied = |command| match command {
+            OutputCommand::CopyText(text) => Some(text),
+            _ => None,
+        };
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
+        let turns = self.viewer().turns;
         let waits = [
             viewport.map(|it| it.repaint_delay),
             self.moved.map(|_| REST),
             is_due.then_some(Duration::ZERO),
             self.desk.blinks.map(|_| TURN / 10),
-            self.viewer()
-                .turns
-                .then(|| self.next_degree.saturating_sub(now)),
+            turns.then(|| self.next_degree.saturating_sub(now)),
             self.file.path.as_ref().map(|_| INTERVAL),
         ];
         let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
         Ok(StepOutput {
-            copied: commands
-                .into_iter()
-                .rev()
-                .find_map(|command| match command {
-                    OutputCommand::CopyText(text) => Some(text),
-                    _ => None,
-                }),
+            copied: commands.into_iter().rev().find_map(copied),
             repaint_after: repaint_after.unwrap_or(Duration::MAX),
         })
     }
@@ -258,7 +255,8 @@ impl App {
     }
 
     /// Compares later states with this one, in which the World is already.
-    fn adopt(&mut self, after: Arc<SceneRecord>) {
+    pub(super) fn adopt(&mut self, after: Arc<SceneRecord>) {
+        let shown = |it: &SceneRecord| (it.view.show, it.view.sides, it.view.divider);
         let is_same_view = !is_another_view(&self.state, &after);
         if !is_same_view || is_another_method(&self.state, &after) {
             self.picture_changed(is_same_view);
@@ -270,12 +268,6 @@ impl App {
             self.facts.section.is_current = false;
         }
         self.state = after;
-    }
-
-    /// Shows a state of the history.
-    pub(super) fn show(&mut self, record: &SceneRecord) {
-        self.restore(record);
-        self.adopt(Arc::new(SceneRecord::of(&self.scene.world)));
     }
 
     /// Writes the state into the recording, if there is one.
@@ -295,14 +287,14 @@ impl App {
     }
 
     fn spin_on(&mut self) {
-        let late = self.now.checked_sub(self.next_degree);
-        let Some(late) = late.filter(|_| self.viewer().turns) else {
+        if !self.viewer().turns || self.now < self.next_degree {
             return;
-        };
+        }
+        let late = self.now.saturating_sub(self.next_degree);
         let degrees = 1 + (late.as_millis() / DEGREE.as_millis()) as u32;
         self.next_degree += DEGREE * degrees;
-        let turned = self.viewer().turned + degrees;
-        self.viewer_mut().turned = turned % 360;
+        let mut viewer = self.viewer_mut();
+        viewer.turned = (viewer.turned + degrees) % 360;
     }
 
     /// Starts and stops the rotation.

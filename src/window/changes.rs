@@ -1,6 +1,5 @@
 //! The difference between two states of a scene: whether it is an edit, another view, or another method.
 
-use crate::components::{Side, ViewMode};
 use crate::scene::SceneRecord;
 
 /// Whether a state has edits that are not saved. Switching lights and modes and moving the camera is looking.
@@ -31,12 +30,6 @@ pub fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
 /// Whether two states of one view are drawn by different methods.
 pub fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
     before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
-}
-
-/// The mode, the sides and the divider of the picture on screen.
-pub fn shown(record: &SceneRecord) -> (ViewMode, [Side; 2], f64) {
-    let view = &record.view;
-    (view.show, view.sides, view.divider)
 }
 
 /// Whether two lists of entities differ after `forget` has overwritten fields of the first.
