@@ -5,11 +5,11 @@ use std::ops::RangeInclusive;
 
 use egui::{Button, Grid, ScrollArea, TextEdit, TextStyle, Ui, vec2};
 use glam::DVec3;
-use hecs::{Component, World};
+use hecs::Component;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::components::{Camera, Light, Mesh, names};
+use crate::components::names;
 use crate::scene::{BUILT_IN, SceneRecord};
 use crate::window::actions::difference;
 use crate::window::app::App;
@@ -40,14 +40,12 @@ impl App {
         }
         let before = json!(SceneRecord::of(&self.scene.world));
         let mut scene = before.clone();
-        let entities = entities(&self.scene.world);
-        let selected = self.desk.selected.unwrap_or(entities[0].0);
-        // Undo and a new file may leave fewer entities.
-        let is_there = |it: &EntityPlace| it.0 == selected.0 && it.1 <= selected.1;
-        let mut places = entities.iter().map(|it| it.0);
-        let mut selected = places.rfind(is_there).unwrap_or(entities[0].0);
-        let of_kind = entities.iter().filter(|it| it.0.0 == selected.0);
-        let can_delete = selected.0 == "light" || of_kind.count() > 1;
+        let count = |kind: &str| before[kind].as_array().map_or(0, Vec::len);
+        // Undo and a new file may leave fewer entities, and no lights.
+        let selected = self.desk.selected.filter(|it| count(it.0) > 0);
+        let mut selected = selected.unwrap_or(("cuboid", 0));
+        selected.1 = selected.1.min(count(selected.0) - 1);
+        let can_delete = selected.0 == "light" || count(selected.0) > 1;
         let buttons = ui.horizontal(|ui| {
             let copy = ui.small_button("copy");
             let delete = ui.add_enabled(can_delete, Button::new("delete").small());
@@ -55,7 +53,7 @@ impl App {
             [copy, delete, ui.small_button("new light")].map(|button| button.clicked())
         });
         let [copies, deletes, adds_light] = buttons.inner;
-        entity_list(ui, &entities, &mut selected);
+        entity_list(ui, &before, &mut selected);
         ui.separator();
         let (kind, mut place) = selected;
         let is_viewed = kind == "camera" && scene["view"]["camera"] == scene[kind][place]["name"];
@@ -67,11 +65,7 @@ impl App {
         if kind == "light" {
             place_light(own);
         }
-        let viewed = if deletes {
-            Value::Null
-        } else {
-            own["name"].clone()
-        };
+        let viewed = (!deletes).then(|| own["name"].clone());
         if copies {
             all.push(copy(kind, all, &all[place]));
             place = all.len() - 1;
@@ -81,9 +75,9 @@ impl App {
         }
         self.desk.selected = Some((kind, place));
         if is_viewed {
-            scene["view"]["camera"] = viewed;
+            scene["view"]["camera"] = json!(viewed);
         }
-        if let (true, Some(lights)) = (adds_light, scene["light"].as_array_mut()) {
+        if adds_light && let Some(lights) = scene["light"].as_array_mut() {
             self.desk.selected = Some(("light", lights.len()));
             lights.push(copy("light", lights, &new_light()));
         }
@@ -115,20 +109,6 @@ fn edited(scene: &Value) -> anyhow::Result<SceneRecord> {
     Ok(record)
 }
 
-/// The entities of all kinds with their names, in the order of the file.
-fn entities(world: &World) -> Vec<(EntityPlace, String)> {
-    let all = [
-        ("cuboid", names::<Mesh>(world)),
-        ("light", names::<Light>(world)),
-        ("camera", names::<Camera>(world)),
-    ];
-    let of_kind = |(kind, names): (_, Vec<_>)| {
-        let named = names.into_iter().enumerate();
-        named.map(move |(place, name)| ((kind, place), name))
-    };
-    all.into_iter().flat_map(of_kind).collect()
-}
-
 /// The original of new lights, with the keys that have no default. A copy has a name.
 fn new_light() -> Value {
     json!({
@@ -142,7 +122,9 @@ fn new_light() -> Value {
 fn copy(kind: &str, all: &[Value], original: &Value) -> Value {
     let mut copy = original.clone();
     let [position, size] = ["position", "size"].map(|key| DVec3::deserialize(&copy[key]));
-    if let (true, Ok(position)) = (kind != "camera", position) {
+    if kind != "camera"
+        && let Ok(position) = position
+    {
         copy["position"] = json!(position + size.map_or(position / 10.0, |size| size / 4.0));
     }
     let mut names = (all.len() + 1..).map(|number| format!("{kind} {number}"));
@@ -163,14 +145,21 @@ fn place_light(light: &mut Value) {
     }
 }
 
-fn entity_list(ui: &mut Ui, entities: &[(EntityPlace, String)], selected: &mut EntityPlace) {
+/// The names of the entities of all kinds, in the order of the file.
+fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
+    let of_kind = |kind: &'static str| {
+        let all = scene[kind].as_array().into_iter().flatten().enumerate();
+        all.map(move |(place, it)| ((kind, place), it["name"].as_str().unwrap_or_default()))
+    };
+    let kinds = ["cuboid", "light", "camera"].into_iter();
+    let entities: Vec<_> = kinds.flat_map(of_kind).collect();
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     // The keys of an entity stay in sight below.
     let most = (ui.ctx().content_rect().height() - 570.0).max(150.0);
     let scroll = ScrollArea::vertical().id_salt("entities").max_height(most);
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
         for (place, name) in &entities[rows] {
-            let row = Button::selectable(selected == place, name).shortcut_text(place.0);
+            let row = Button::selectable(selected == place, *name).shortcut_text(place.0);
             let row = row.min_size(vec2(ui.available_width(), 0.0));
             if ui.add(row).clicked() {
                 *selected = *place;
@@ -206,10 +195,7 @@ fn row(ui: &mut Ui, key: &str, value: &mut Value) {
                 ui.selectable_value(text, (*choice).to_owned(), *choice);
             }
         }
-        Value::Array(_) => {
-            let numbers = value.as_array_mut().into_iter().flatten();
-            numbers.for_each(|value| number_field(ui, value));
-        }
+        Value::Array(numbers) => numbers.iter_mut().for_each(|it| number_field(ui, it)),
         value => number_field(ui, value),
     });
     ui.end_row();
