@@ -97,9 +97,7 @@ pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
     let mut frames = log.frames.iter().peekable();
     let mut script = |app: &mut App, now| {
         while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
-            app.now = now;
-            replay::play(app, frame)?;
-            size = frame.size().unwrap_or(size);
+            replay::play(app, &mut size, frame)?;
         }
         let next = frames.peek().map_or(Duration::MAX, |next| next.at);
         Ok((next, size))

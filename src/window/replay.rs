@@ -23,11 +23,12 @@ const STEPS: usize = 4;
 /// The bytes of a pixel in the window's buffer and in its picture.
 const PIXEL: usize = 8;
 
-/// Changes the state as a frame says.
+/// Changes the state and the size of the window as a frame says.
 ///
 /// # Errors
 /// None of a valid log.
-pub fn play(app: &mut App, frame: &RecordedFrame) -> anyhow::Result<()> {
+pub fn play(app: &mut App, size: &mut [usize; 2], frame: &RecordedFrame) -> anyhow::Result<()> {
+    app.now = frame.at;
     for event in &frame.events {
         match event {
             Event::Scene(it) => app.open(Scene::spawn(it.name.clone(), &it.scene)),
@@ -36,7 +37,7 @@ pub fn play(app: &mut App, frame: &RecordedFrame) -> anyhow::Result<()> {
                 app.restore(&patched(&state, patch)?);
             }
             Event::Say(words) => app.say(words),
-            Event::Size(_) => {}
+            Event::Size(new) => *size = *new,
         }
     }
     Ok(())
@@ -55,9 +56,7 @@ pub fn draw(
     let mut app = App::new(drawing, false)?;
     app.shows_times = false;
     for frame in &log.frames {
-        app.now = frame.at;
-        play(&mut app, frame)?;
-        size = frame.size().unwrap_or(size);
+        play(&mut app, &mut size, frame)?;
         memory::check(size, PIXEL * size[0] * size[1])?;
         for _ in 0..STEPS {
             app.step(frame.at, size, RawInput::default())?;
@@ -80,39 +79,32 @@ pub fn run(
 ) -> anyhow::Result<()> {
     let count = log.frames.len();
     let mut times = log.frames.iter().map(|frame| frame.at).skip(1);
-    let canvas = log.canvas(drawing.size);
+    let is_animated = |it: &&Output| it.name().to_lowercase().ends_with(".apng");
+    let animated = output.filter(is_animated);
+    let (mut file, canvas) = (Vec::new(), log.canvas(drawing.size));
+    let animation = animated.map(|_| Animation::new(&mut file, canvas, count));
+    let mut animation = animation.transpose()?;
     let (mut hashes, mut done) = (String::new(), 0);
     with_bar(|monitor| {
-        let mut note = |app: &App, frame: &RecordedFrame| {
+        draw(log, drawing, |app, frame, size| {
             done += 1;
-            (monitor.progress)("drawing", done as f64 / count as f64);
+            (monitor.progress)("drawing", f64::from(done) / count as f64);
             let hash = hash(&app.shown());
             writeln!(hashes, "{:.3} {hash:016x}", frame.time.as_secs_f64())?;
-            anyhow::Ok(done == count)
-        };
-        match output {
-            Some(output) if output.name().to_lowercase().ends_with(".apng") => {
-                let mut file = Vec::new();
-                let mut animation = Animation::new(&mut file, canvas, count)?;
-                draw(log, drawing, |app, frame, size| {
-                    note(app, frame)?;
-                    let lasts = times
-                        .next()
-                        .map_or(LAST, |next| next.saturating_sub(frame.at));
-                    Ok(animation.add(&app.pixels, size, lasts)?)
-                })?;
-                animation.finish()?;
-                output.write(file)
+            let next = times.next();
+            if let Some(animation) = &mut animation {
+                let lasts = next.map_or(LAST, |next| next.saturating_sub(frame.at));
+                animation.add(&app.pixels, size, lasts)?;
+            } else if let (None, Some(output)) = (next, output) {
+                output.write_png(&app.pixels, size)?;
             }
-            _ => draw(log, drawing, |app, frame, size| {
-                let is_last = note(app, frame)?;
-                match output.filter(|_| is_last) {
-                    Some(output) => output.write_png(&app.pixels, size),
-                    None => Ok(()),
-                }
-            }),
-        }
+            Ok(())
+        })
     })?;
+    animation.map(Animation::finish).transpose()?;
+    if let Some(output) = animated {
+        output.write(file)?;
+    }
     if with_hashes {
         Output::Stdout.write(hashes)?;
     }
