@@ -177,10 +177,8 @@ fn draw(plot: &mut PlotUi, known: &[Measurement], is_current: bool) {
         let ink = if is_current { own } else { STALE };
         let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });
         let [_, y] = place(one);
-        let whisker = one
-            .timing
-            .interval
-            .map(|time| [logarithms(time, 1.0)[0], y]);
+        let interval = one.timing.interval;
+        let whisker = interval.map(|time| [logarithms(time, 1.0)[0], y]);
         plot.line(line(whisker.to_vec(), ink));
         let dot = Points::new("", vec![place(one)]).radius(DOT).color(ink);
         plot.points(dot.filled(is_current).allow_hover(false));

@@ -44,10 +44,8 @@ impl Comparison {
             let phong = view.shaded(ShadingMode::Phong);
             let exact = reference::picture(world, &phong, rows, monitor.quiet())?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
-            let error = metrics::compare(drawn, compared).error;
-            if let Some(error) = error {
-                largest = Some(largest.map_or(error.max, |largest| largest.max(error.max)));
-            }
+            let error = metrics::compare(drawn, compared).error.map(|it| it.max);
+            largest = largest.into_iter().chain(error).reduce(f64::max);
             errors.extend(metrics::compared(drawn, compared));
             exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
             Ok(())

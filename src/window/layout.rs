@@ -8,7 +8,6 @@ use egui::{
 };
 
 use super::app::App;
-use super::facts::Facts;
 use super::keys::{BINDINGS, Binding, caption_of};
 use super::style::{BAD, GOOD, INK, STALE};
 use super::widgets::short;
@@ -103,14 +102,12 @@ impl App {
             let is_measured = self.measured_time().is_some();
             fact(format!("{} ms", short(time)), INK, is_measured, TIME);
         }
-        let Facts {
-            comparison, proof, ..
-        } = &self.facts;
+        let comparison = &self.facts.comparison;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
             let text = format!("{} levels off exact Phong", short(error));
             fact(text, INK, comparison.is_current, ERROR);
         }
-        if let Some(it) = proof.current() {
+        if let Some(it) = self.facts.proof.current() {
             let pixels = it.proven + it.refuted + it.undecided;
             let (share, ink) = match pixels - it.proven {
                 0 => ("every pixel".to_owned(), GOOD),

@@ -97,16 +97,11 @@ impl App {
     }
 
     fn view_rows(&mut self, ui: &mut Ui) {
-        let Viewer {
-            show,
-            sides,
-            tolerance,
-            ..
-        } = *self.viewer();
+        let viewer = Viewer::clone(&self.viewer());
         // Sides that the tags chose belong to none of the buttons.
-        let shown = match show {
-            ViewMode::Wipe if sides == EXACT_SIDES => Some(Action::WipeExact),
-            ViewMode::Wipe if sides != gouraud_phong(tolerance) => None,
+        let shown = match viewer.show {
+            ViewMode::Wipe if viewer.sides == EXACT_SIDES => Some(Action::WipeExact),
+            ViewMode::Wipe if viewer.sides != gouraud_phong(viewer.tolerance) => None,
             mode => Some(Action::View(mode)),
         };
         ui.horizontal_wrapped(|ui| {

@@ -135,12 +135,7 @@ fn grey(pixel: u32) -> u32 {
 fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != NO_TRIANGLE {
-            let is_outline = kind & OUTLINE != 0;
-            let weight = if is_outline {
-                OUTLINE_WEIGHT
-            } else {
-                TINT_WEIGHT
-            };
+            let weight = [TINT_WEIGHT, OUTLINE_WEIGHT][usize::from(kind & OUTLINE != 0)];
             *pixel = mix(grey(*pixel), TINTS[usize::from(kind & !OUTLINE)], weight);
         }
     }

@@ -139,15 +139,14 @@ impl App {
     pub fn receive(&mut self, now: Duration) -> bool {
         let mut is_new = self.works[1].is_some() && now >= self.next_progress;
         for index in 0..2 {
-            let work = self.works[index].as_ref();
-            let answer = work.and_then(|work| work.answer.try_recv().ok());
-            let Some(answer) = answer else {
-                continue;
-            };
-            is_new = true;
-            self.works[index] = None;
-            if let Some(reason) = answer(&mut self.facts) {
-                self.say(reason);
+            if let Some(work) = &self.works[index]
+                && let Ok(answer) = work.answer.try_recv()
+            {
+                is_new = true;
+                self.works[index] = None;
+                if let Some(reason) = answer(&mut self.facts) {
+                    self.say(reason);
+                }
             }
         }
         // A pixel in the row of the one before needs no new answer.

@@ -42,7 +42,6 @@ pub fn apply(context: &Context) {
         style.spacing.item_spacing = egui::vec2(6.0, 4.0);
         style.spacing.slider_width = 110.0;
         style.spacing.combo_width = 110.0;
-        style.visuals.override_text_color = None;
         style.visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(200);
     });
 }

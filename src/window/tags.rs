@@ -73,30 +73,25 @@ impl App {
             let mut tag = ui.new_child(builder.layout(Layout::top_down(align)));
             tag.set_clip_rect(self.place);
             let ground = Frame::new().fill(Color32::from_black_alpha(205));
-            ground
-                .corner_radius(4.0)
-                .inner_margin(6.0)
-                .show(&mut tag, |ui| {
-                    ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-                    let name = self.side_name(&sides[index]);
-                    let methods = ComboBox::from_id_salt(index).selected_text(name);
-                    methods.height(400.0).show_ui(ui, |ui| {
-                        for side in choices() {
-                            let name = self.side_name(&side);
-                            let row = ui.selectable_value(&mut sides[index], side, name);
-                            if let Side::Method {
-                                mode: ShadingMode::UnitVectors,
-                                ..
-                            } = side
-                            {
-                                row.on_hover_text(SHORTCUT);
-                            }
+            let ground = ground.corner_radius(4.0).inner_margin(6.0);
+            ground.show(&mut tag, |ui| {
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+                let name = self.side_name(&sides[index]);
+                let methods = ComboBox::from_id_salt(index).selected_text(name);
+                methods.height(400.0).show_ui(ui, |ui| {
+                    for side in choices() {
+                        let method = self.side_method(&side);
+                        let name = self.side_name(&side);
+                        let row = ui.selectable_value(&mut sides[index], side, name);
+                        if method.is_some_and(|it| it.mode == ShadingMode::UnitVectors) {
+                            row.on_hover_text(SHORTCUT);
                         }
-                    });
-                    if self.prices()[index].is_some_and(|price| self.price(ui, price)) {
-                        clicked = Some(index);
                     }
                 });
+                if self.prices()[index].is_some_and(|price| self.price(ui, price)) {
+                    clicked = Some(index);
+                }
+            });
         }
         self.viewer_mut().sides = sides;
         if let Some(index) = clicked {
