@@ -9,7 +9,6 @@ use super::changes::has_edits;
 use super::facts::Facts;
 use super::file::SceneFile;
 use super::history::History;
-use crate::components::Viewer;
 use crate::output::quoted;
 use crate::scene::{CameraRecord, Scene, SceneRecord};
 
@@ -35,10 +34,8 @@ impl App {
         }
         let path = self.file.rescue(&self.state, &self.folder);
         let path = path.context("the changes that were not saved cannot be written to a file")?;
-        let path = path.display();
-        Ok(Some(format!(
-            "the changes that were not saved are in {path}"
-        )))
+        let told = format!("the changes that were not saved are in {}", path.display());
+        Ok(Some(told))
     }
 
     /// Shows the scene that the user chose; edits of the one before go into a file.
@@ -48,7 +45,7 @@ impl App {
                 if let Some(told) = told {
                     self.say(told);
                 }
-                if self.scene.path.is_some() {
+                if self.file.path.is_some() {
                     self.desk.last_file = Some(self.scene.name.clone());
                 }
                 self.open(scene);
@@ -78,11 +75,10 @@ impl App {
             named.next().map(|it| it.orbit)
         };
         if record.view == saved.view {
-            let own = record.view.camera.take();
-            let view = self.state.view.clone();
+            let mut view = self.state.view.clone();
             let is_there = |name: &String| find(&record.camera, name).is_some();
-            let camera = view.camera.clone().filter(is_there).or(own);
-            record.view = Viewer { camera, ..view };
+            view.camera = view.camera.filter(is_there).or(record.view.camera);
+            record.view = view;
         }
         for camera in &mut record.camera {
             if find(&saved.camera, &camera.name) == Some(camera.orbit) {
@@ -107,7 +103,6 @@ impl App {
             Ok(path) => {
                 self.scene.name = path.to_string_lossy().into_owned();
                 self.say(format!("saved {}", quoted(&self.scene.name)));
-                self.scene.path = Some(path);
                 self.desk.file_error = None;
             }
             Err(error) => self.say(format!("not saved: {error:#}")),

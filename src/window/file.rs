@@ -20,7 +20,8 @@ type Stamp = Option<(SystemTime, u64)>;
 /// A scene's file, or the text of a built-in scene.
 pub struct SceneFile {
     pub path: Option<PathBuf>,
-    name: String,
+    /// The name of new files, without its ending.
+    stem: String,
     text: String,
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
@@ -38,9 +39,10 @@ impl SceneFile {
         // Options may have changed the World already, so the saved scene is read from the text.
         let saved = Scene::parse(&scene.name, &scene.text);
         let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
+        let stem = Path::new(&scene.name).file_stem().unwrap_or_default();
         SceneFile {
             path: scene.path.clone(),
-            name: scene.name.clone(),
+            stem: stem.to_string_lossy().replace(char::is_control, "_"),
             text: scene.text.clone(),
             saved: Arc::new(saved),
             seen: scene.path.as_deref().and_then(stamp),
@@ -66,7 +68,7 @@ impl SceneFile {
         let is_certain = self.doubted.replace(present) == Some(present);
         let news = match present {
             Some(_) => load(path),
-            None => Err(format!("{} was deleted; the scene stays", self.name)),
+            None => Err(format!("{} was deleted; the scene stays", path.display())),
         };
         (is_certain || news.is_ok()).then(|| {
             self.seen = present;
@@ -86,18 +88,17 @@ impl SceneFile {
         new: bool,
     ) -> anyhow::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
-        let path = match &self.path {
-            Some(_) if !new && self.is_wrong => {
+        let path = match self.path.clone().filter(|_| !new) {
+            Some(_) if self.is_wrong => {
                 bail!(
                     "the file has an error, and saving would lose its text; Ctrl Shift S saves to a new one"
                 )
             }
-            Some(path) if !new => {
-                let output = Output::File(path.clone());
-                output.write(&text)?;
-                path.clone()
+            Some(path) => {
+                Output::File(path.clone()).write(&text)?;
+                path
             }
-            _ => write_new(folder, &self.stem(), &text)?,
+            None => write_new(folder, &self.stem, &text)?,
         };
         self.seen = stamp(&path);
         self.is_wrong = false;
@@ -113,12 +114,7 @@ impl SceneFile {
     /// If it cannot be written.
     pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
-        write_new(folder, &format!("{}-unsaved", self.stem()), &text)
-    }
-
-    fn stem(&self) -> String {
-        let stem = Path::new(&self.name).file_stem().unwrap_or_default();
-        stem.to_string_lossy().replace(char::is_control, "_")
+        write_new(folder, &format!("{}-unsaved", self.stem), &text)
     }
 }
 
