@@ -14,12 +14,10 @@ const STEPS: usize = 500;
 /// A change after this time without one begins a step.
 const PAUSE: Duration = Duration::from_secs(1);
 
-type States = Vec<Arc<SceneRecord>>;
-
 /// The states that can be gone back to.
 pub struct History {
-    before: States,
-    after: States,
+    before: Vec<Arc<SceneRecord>>,
+    after: Vec<Arc<SceneRecord>>,
     most: usize,
     /// The next change begins a step.
     begins: bool,

@@ -65,7 +65,7 @@ impl Recorder {
         match self.noted.replace(scene) {
             Some((own, before)) if own == name => {
                 if before != *state {
-                    self.line(now, "patch", &patch(&before, state)?)?;
+                    self.line(now, "patch", &patch(&before, state))?;
                 }
             }
             _ => self.line(now, "scene", &json!({ "name": name, "scene": **state }))?,
@@ -85,12 +85,8 @@ impl Recorder {
 }
 
 /// The patch that leads from one state to another.
-///
-/// # Errors
-/// If a record cannot be written as JSON.
-pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Patch> {
-    let [before, after] = [serde_json::to_value(before)?, serde_json::to_value(after)?];
-    Ok(json_patch::diff(&before, &after))
+pub fn patch(before: &SceneRecord, after: &SceneRecord) -> Patch {
+    json_patch::diff(&json!(before), &json!(after))
 }
 
 /// The record that a patch makes of another one.
@@ -98,7 +94,7 @@ pub fn patch(before: &SceneRecord, after: &SceneRecord) -> serde_json::Result<Pa
 /// # Errors
 /// If the patch does not apply, or its result is no valid scene.
 pub fn patched(record: &SceneRecord, patch: &Patch) -> anyhow::Result<SceneRecord> {
-    let mut value = serde_json::to_value(record)?;
+    let mut value = json!(record);
     json_patch::patch(&mut value, patch)?;
     let record: SceneRecord = serde_path_to_error::deserialize(value)?;
     record.check()?;
