@@ -55,7 +55,7 @@ impl App {
             self.sentence(ui);
         });
         let caption = ui.small(match (self.facts.trade.is_current, self.progress()) {
-            (false, Some((step, share))) => format!("{step}, {:.0} %", share * 100.0),
+            (false, Some((step, _))) => step,
             (false, None) => "measured in another view; new times follow".to_owned(),
             _ => "up: error, levels; right: ms a frame".to_owned(),
         });

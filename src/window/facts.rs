@@ -97,11 +97,9 @@ type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
 pub struct Work {
     pub question: Question,
     pub answer: Receiver<Answer>,
-    progress: Arc<Mutex<Progress>>,
+    /// The present step, and the share of it that is done, 0..=1.
+    progress: Arc<Mutex<(&'static str, f64)>>,
 }
-
-/// The present step, and the share of it that is done, 0..=1.
-pub type Progress = (&'static str, f64);
 
 impl Work {
     /// Lets a thread of `pool` answer a question; without a pool it is answered at once.
@@ -111,7 +109,7 @@ impl Work {
         place: fn(&mut Facts) -> &mut Latest<T>,
         find: impl FnOnce(Monitor) -> anyhow::Result<T> + Send + 'static,
     ) -> Work {
-        let progress = Arc::<Mutex<Progress>>::default();
+        let progress = Arc::<Mutex<_>>::default();
         let (tell, answer) = mpsc::channel::<Answer>();
         // It lives as long as the work is wanted.
         let wanted = Arc::downgrade(&progress);
@@ -150,7 +148,9 @@ impl Work {
         }
     }
 
-    pub fn progress(&self) -> Progress {
-        *self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    /// The present step with its done share in words, and that share, 0..=1.
+    pub fn progress(&self) -> (String, f64) {
+        let (step, share) = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        (format!("{step}, {:.0} %", share * 100.0), share)
     }
 }

@@ -102,10 +102,7 @@ impl App {
         match self.progress() {
             _ if fact.is_current => {}
             None => drop(ui.weak("waits until nothing moves")),
-            Some((step, share)) => {
-                let text = format!("{step}, {:.0} %", share * 100.0);
-                ui.add(ProgressBar::new(share as f32).text(text));
-            }
+            Some((step, share)) => drop(ui.add(ProgressBar::new(share as f32).text(step))),
         }
     }
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use super::app::App;
 use super::comparison::Comparison;
-use super::facts::{Facts, Latest, Progress, Question, Work};
+use super::facts::{Facts, Latest, Question, Work};
 use super::pictures::{sides, view_at};
 use crate::components::{Mesh, ShadingMode, Side, Tab, View, ViewMode, Viewer, common_mode};
 use crate::drawing::Drawing;
@@ -162,8 +162,8 @@ impl App {
         is_new
     }
 
-    /// The present step of the work in the background, and the share of it that is done, 0..=1.
-    pub fn progress(&self) -> Option<Progress> {
+    /// The progress of the work in the background, in words and as a share, 0..=1.
+    pub fn progress(&self) -> Option<(String, f64)> {
         self.works[1].as_ref().map(Work::progress)
     }
 
