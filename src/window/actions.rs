@@ -30,20 +30,19 @@ impl App {
             else {
                 continue;
             };
-            let action = keys::action(key, modifiers);
-            if action == Some(Action::Blink) {
-                self.blink_while(pressed && !has_field);
-            }
-            let Some(action) = action.filter(|_| pressed) else {
+            let Some(action) = keys::action(key, modifiers) else {
                 continue;
             };
+            if action == Action::Blink {
+                self.blink_while(pressed && !has_field);
+            }
             // A text field has no use for these.
             let works_in_fields = matches!(action, Action::Save | Action::SaveAs)
                 || (Key::F1..=Key::F12).contains(&key);
             let is_taken = has_focus && moves_widgets(key)
                 || has_field && !works_in_fields
                 || self.takes_escape && action == Action::Close;
-            if !is_taken && (!repeat || goes_on(action)) {
+            if pressed && !is_taken && (!repeat || goes_on(action)) {
                 self.run(action);
             }
         }

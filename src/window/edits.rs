@@ -71,8 +71,8 @@ impl App {
         let mut record = SceneRecord::of(&scene.world);
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
         let find = |cameras: &[CameraRecord], name: &str| {
-            let mut named = cameras.iter().filter(|it| it.name == name);
-            named.next().map(|it| it.orbit)
+            let own = cameras.iter().find(|it| it.name == name);
+            own.map(|it| it.orbit)
         };
         if record.view == saved.view {
             let mut view = self.state.view.clone();

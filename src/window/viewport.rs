@@ -54,8 +54,7 @@ impl App {
         if self.viewer().inspector == Some(Tab::Scene) {
             self.discs(ui);
         }
-        let pixel = self.viewer().pixel;
-        if let Some(pixel) = pixel {
+        if let Some(pixel) = self.viewer().pixel {
             let at = self.place_of(pixel);
             self.draw_arrows(ui.painter(), at);
             draw_cross(ui.painter(), at);
