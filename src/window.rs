@@ -91,27 +91,16 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
 /// # Errors
 /// As [`run`].
 pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
-    let mut size = drawing.size;
-    let mut display = Display::open("shadetrade", log.canvas(size))?;
+    let mut display = Display::open("shadetrade", log.canvas(drawing.size))?;
     let mut app = App::new(drawing, true)?;
-    let mut frames = log.frames.iter().peekable();
-    let mut script = |app: &mut App, now| {
-        while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
-            replay::play(app, &mut size, frame)?;
-        }
-        let next = frames.peek().map_or(Duration::MAX, |next| next.at);
-        Ok((next, size))
-    };
-    show(&mut display, &mut app, Some(&mut script))
+    show(&mut display, &mut app, Some(log))
 }
 
-/// Takes the place of the user: changes the state, and returns the time of the next change and the size of the frame.
-type Script<'a> = &'a mut dyn FnMut(&mut App, Duration) -> anyhow::Result<(Duration, [usize; 2])>;
-
-/// The loop of the window.
-fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> anyhow::Result<()> {
+/// The loop of the window. A log takes the place of the user.
+fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Result<()> {
     let start = Instant::now();
-    let (mut title, mut window, mut size) = (String::new(), [0, 0], [0, 0]);
+    let mut frames = log.map(|log| log.frames.iter().peekable());
+    let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
     while display.is_open() && !app.quits {
@@ -128,15 +117,17 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
                 events: std::mem::take(&mut display.input.events),
                 ..RawInput::default()
             };
-            let (mut next, mut kind) = (Duration::MAX, "");
-            size = window;
-            if let Some(script) = &mut script {
+            let (mut next, mut kind, mut size) = (Duration::MAX, "", window);
+            if let Some(frames) = &mut frames {
                 app.quits = input.events.iter().any(quits);
                 input = RawInput::default();
-                (next, size) = script(app, now)?;
-                kind = match next {
-                    Duration::MAX => "replay has ended, Q quits: ",
-                    _ => "replay, Q quits: ",
+                while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
+                    replay::play(app, frame)?;
+                }
+                size = app.size;
+                (next, kind) = match frames.peek() {
+                    Some(frame) => (frame.at, "replay, Q quits: "),
+                    None => (Duration::MAX, "replay has ended, Q quits: "),
                 };
             }
             let output = app.step(now, size, input)?;
@@ -151,11 +142,11 @@ fn show(display: &mut Display, app: &mut App, mut script: Option<Script>) -> any
             {
                 app.say(format!("not copied: {error:#}"));
             }
-            display.present(&app.pixels, size)?;
+            display.present(&app.pixels, app.size)?;
             present_again = now + PRESENT_AGAIN;
         } else if now >= present_again {
             let before = start.elapsed();
-            display.present(&app.pixels, size)?;
+            display.present(&app.pixels, app.size)?;
             let after = start.elapsed();
             present_again = after + PRESENT_AGAIN.max(after.saturating_sub(before) * PRESENT_SHARE);
         } else {

@@ -66,7 +66,7 @@ pub struct App {
     pub(super) painter: Painter,
     /// The pixels of the window as of the last step, row by row from the top.
     pub pixels: Vec<u32>,
-    /// Width and height of the window as of the last step, in pixels.
+    /// Width and height of the window, in pixels.
     pub(super) size: [usize; 2],
     /// The threads that probe, and those that answer all other questions.
     pub(super) pools: Option<[ThreadPool; 2]>,
@@ -123,7 +123,7 @@ impl App {
             takes_escape: false,
             painter,
             pixels: Vec::new(),
-            size: [0, 0],
+            size: drawing.size,
             pools: has_threads.then(pools).transpose()?,
             works: [None, None],
             moved: None,

@@ -27,7 +27,7 @@ const PIXEL: usize = 8;
 ///
 /// # Errors
 /// None of a valid log.
-pub fn play(app: &mut App, size: &mut [usize; 2], frame: &RecordedFrame) -> anyhow::Result<()> {
+pub fn play(app: &mut App, frame: &RecordedFrame) -> anyhow::Result<()> {
     app.now = frame.at;
     for event in &frame.events {
         match event {
@@ -37,31 +37,31 @@ pub fn play(app: &mut App, size: &mut [usize; 2], frame: &RecordedFrame) -> anyh
                 app.restore(&patched(&state, patch)?);
             }
             Event::Say(words) => app.say(words),
-            Event::Size(new) => *size = *new,
+            Event::Size(size) => app.size = *size,
         }
     }
     Ok(())
 }
 
-/// Draws the window as `log` says, and hands over each of its frames with the window's size.
+/// Draws the window as `log` says, and hands it over after each of the log's frames.
 ///
 /// # Errors
 /// If a frame does not fit in memory, or `take` fails.
 pub fn draw(
     log: &Log,
     drawing: Drawing,
-    mut take: impl FnMut(&App, &RecordedFrame, [usize; 2]) -> anyhow::Result<()>,
+    mut take: impl FnMut(&App, &RecordedFrame) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
-    let mut size = drawing.size;
     let mut app = App::new(drawing, false)?;
     app.shows_times = false;
     for frame in &log.frames {
-        play(&mut app, &mut size, frame)?;
+        play(&mut app, frame)?;
+        let size = app.size;
         memory::check(size, PIXEL * size[0] * size[1])?;
         for _ in 0..STEPS {
             app.step(frame.at, size, RawInput::default())?;
         }
-        take(&app, frame, size)?;
+        take(&app, frame)?;
     }
     Ok(())
 }
@@ -86,7 +86,7 @@ pub fn run(
     let mut animation = animation.transpose()?;
     let (mut hashes, mut done) = (String::new(), 0);
     with_bar(|monitor| {
-        draw(log, drawing, |app, frame, size| {
+        draw(log, drawing, |app, frame| {
             done += 1;
             (monitor.progress)("drawing", f64::from(done) / count as f64);
             let hash = hash(&app.shown());
@@ -94,9 +94,9 @@ pub fn run(
             let next = times.next();
             if let Some(animation) = &mut animation {
                 let lasts = next.map_or(LAST, |next| next.saturating_sub(frame.at));
-                animation.add(&app.pixels, size, lasts)?;
+                animation.add(&app.pixels, app.size, lasts)?;
             } else if let (None, Some(output)) = (next, output) {
-                output.write_png(&app.pixels, size)?;
+                output.write_png(&app.pixels, app.size)?;
             }
             Ok(())
         })

@@ -66,7 +66,7 @@ fn read(text: &str) -> anyhow::Result<Log> {
 fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<SceneRecord>, u64)> {
     let mut frames = Vec::new();
     let drawing = log.drawing(threads, level);
-    draw(log, drawing, |app, frame, _| {
+    draw(log, drawing, |app, frame| {
         frames.push((frame.time, Arc::clone(&app.state), hash(&app.shown())));
         Ok(())
     })
