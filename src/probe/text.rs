@@ -6,15 +6,15 @@ use serde_json::{Map, Value, json};
 use super::{Probe, ProbedSurface};
 use crate::components::LightKind;
 use crate::frame::display_step;
-use crate::reference::LightSample;
+use crate::reference::{LightSample, Sample};
 
 /// Levels up to this are written as 0.
 const NEGLIGIBLE: f64 = 1e-6;
 /// Components of a vector up to this share of the largest are written as 0: they are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
-/// The levels of a light under one mode.
-type Term = fn(&LightSample) -> DVec3;
+/// The levels under one mode.
+type Levels<T> = fn(&T) -> DVec3;
 
 impl ProbedSurface {
     /// The number of the triangle, and the reference's number if it differs.
@@ -71,27 +71,18 @@ impl Probe {
         for light in lights {
             row(&light.name, &levels(light.strength));
         }
-        let modes: [(_, Term, _, _); 2] = [
-            (
-                "Gouraud",
-                |it| it.gouraud,
-                surface.gouraud,
-                sample.map(|it| it.gouraud),
-            ),
-            (
-                "Phong",
-                |it| it.phong,
-                surface.phong,
-                sample.map(|it| it.phong),
-            ),
+        let modes: [(_, _, Levels<LightSample>, Levels<Sample>); 2] = [
+            ("Gouraud", surface.gouraud, |it| it.gouraud, |it| it.gouraud),
+            ("Phong", surface.phong, |it| it.phong, |it| it.phong),
         ];
-        for (mode, term, drawn, exact) in modes {
+        for (mode, drawn, term, exact) in modes {
             row(mode, &channels);
             for light in lights {
                 row(&light.name, &levels(term(light)));
             }
             row("drawn", &levels(drawn));
-            row("reference", &exact.map_or_else(|| joined(["-"; 3]), levels));
+            let exact = sample.map_or_else(|| joined(["-"; 3]), |it| levels(exact(it)));
+            row("reference", &exact);
             row("bytes", &joined(bytes(drawn)));
         }
         lines
@@ -103,7 +94,7 @@ impl Probe {
             return json!({"pixel": self.pixel, "object": null});
         };
         let sample = surface.sample.as_ref();
-        let shaded = |levels: DVec3, term: fn(&LightSample) -> DVec3| {
+        let shaded = |levels: DVec3, term: Levels<LightSample>| {
             let terms = surface.lights().iter();
             let terms = terms.map(|light| (light.name.clone(), json!(term(light))));
             json!({
