@@ -148,27 +148,27 @@ pub fn changes(
     let all = left_out.len().div_ceil(AT_ONCE) * height;
     let mut changes = Vec::with_capacity(left_out.len());
     for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
-        let is_enclosed = |parts: &[Part]| !parts.contains(&Part::F64);
+        // And whether its levels are enclosed.
         let picture = |parts: &Vec<Part>| {
             let world = &without(scene, parts).world;
             let rule = parts.iter().find_map(|part| match part {
                 Part::Rule(rule) => Some(*rule),
                 _ => None,
             });
-            if is_enclosed(parts) {
-                rows(Reference::<Interval>::without(world, view, rule))
+            if parts.contains(&Part::F64) {
+                (rows(Reference::<f32>::without(world, view, rule)), false)
             } else {
-                rows(Reference::<f32>::without(world, view, rule))
+                let enclosures = Reference::<Interval>::without(world, view, rule);
+                (rows(enclosures), true)
             }
         };
-        let pictures: Vec<PixelRows> = some.iter().map(picture).collect();
+        let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
         let by_row = monitor.in_parallel("leaving out parts", 0..height, [first, all], |y| {
             let full = full(y);
-            let change = |(picture, parts): (&PixelRows, &Vec<Part>)| {
-                let is_enclosed = is_enclosed(parts);
+            let change = |(picture, is_enclosed): &(PixelRows, bool)| {
                 let pixels = full.iter().zip(picture(y));
                 Change::combined(pixels.map(|(full, without)| {
-                    let largest_error = error(full, &without, is_enclosed);
+                    let largest_error = error(full, &without, *is_enclosed);
                     let pixels = u64::from(largest_error[0] > limit);
                     Change {
                         largest_error,
@@ -176,8 +176,7 @@ pub fn changes(
                     }
                 }))
             };
-            let changes = pictures.iter().zip(some).map(change);
-            Ok(changes.collect::<Vec<Change>>())
+            Ok(pictures.iter().map(change).collect::<Vec<Change>>())
         })?;
         let of_picture = |number: usize| Change::combined(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
