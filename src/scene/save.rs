@@ -7,7 +7,7 @@
 //! A key that the text lacks is added only if its value has changed. Defaults stay out of the text.
 
 use serde_json::{Value as Json, json};
-use toml_edit::{ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use super::record::SceneRecord;
 use crate::components::Orbit;
@@ -149,14 +149,12 @@ fn created(key: &str, old: &Json, new: &Json) -> Item {
     if !new.is_object() {
         return Item::Value(written(new));
     }
-    if key == "orbit" {
-        let mut table = InlineTable::new();
-        amend_table(&mut table, old, new);
-        return Item::Value(table.into());
-    }
     let mut table = headed();
     amend_table(&mut table, old, new);
-    Item::Table(table)
+    match key {
+        "orbit" => Item::Value(table.into_inline_table().into()),
+        _ => Item::Table(table),
+    }
 }
 
 /// A value in TOML, with numbers in the shortest form: 1e100 has no hundred zeros.
