@@ -18,7 +18,7 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
+use anyhow::{anyhow, bail, ensure};
 use hecs::World;
 
 pub use self::check::{MAX_SIDE, Mistake};
@@ -152,8 +152,8 @@ impl Scene {
                 .map(|name| name.trim().to_owned())
                 .collect(),
         };
-        if let Some(name) = chosen.iter().find(|name| !lights.contains(name)) {
-            return Err(unknown("light", name, &lights));
+        for name in &chosen {
+            check_known("light", name, &lights)?;
         }
         for (Name(name), light) in self.world.query_mut::<(&Name, &mut Light)>() {
             light.on = chosen.contains(name);
@@ -166,10 +166,7 @@ impl Scene {
     /// # Errors
     /// If there is no such camera.
     pub fn look_from(&mut self, name: &str) -> anyhow::Result<()> {
-        let cameras = names::<Camera>(&self.world);
-        if !cameras.iter().any(|camera| camera == name) {
-            return Err(unknown("camera", name, &cameras));
-        }
+        check_known("camera", name, &names::<Camera>(&self.world))?;
         viewer_mut(&mut self.world).camera = Some(name.to_owned());
         Ok(())
     }
@@ -190,17 +187,21 @@ pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The error for a `name` that is not among the `names` of a `kind`. It lists at most twenty names.
-fn unknown(kind: &str, name: &str, names: &[String]) -> anyhow::Error {
+/// Fails unless `name` is among the `names` of a `kind`, and then lists at most twenty of them.
+fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
     const MAX_LISTED: usize = 20;
-    if names.is_empty() {
-        return anyhow!("no {kind} is named {name:?}; the scene has no {kind}s");
+    if names.iter().any(|known| known == name) {
+        return Ok(());
     }
+    ensure!(
+        !names.is_empty(),
+        "no {kind} is named {name:?}; the scene has no {kind}s"
+    );
     let listed = names.iter().take(MAX_LISTED);
     let mut listed: Vec<String> = listed.map(|name| format!("{name:?}")).collect();
     if names.len() > MAX_LISTED {
         listed.push(format!("{} more", names.len() - MAX_LISTED));
     }
     let listed = listed.join(", ");
-    anyhow!("no {kind} is named {name:?}; the scene's {kind}s are {listed}")
+    bail!("no {kind} is named {name:?}; the scene's {kind}s are {listed}")
 }
