@@ -14,7 +14,7 @@ use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
 use crate::memory;
 use crate::output::{Output, say};
-use crate::report::progress::with_bar;
+use crate::report::progress::{bands, with_bar};
 use crate::report::words::counted;
 use crate::trade::{budget, timing};
 use crate::{reference, simd, systems};
@@ -61,13 +61,13 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let begin = Instant::now();
     let world = &drawing.scene.world;
     with_bar(|monitor| {
-        monitor.in_bands("drawing the reference", height, |rows| {
-            let truth = reference::picture(world, &view, rows, monitor.quiet())?;
+        for rows in bands(height) {
+            let truth = reference::picture(world, &view, rows, monitor)?;
             let covered_here = truth.triangles.iter().filter(|it| **it != NO_TRIANGLE);
             covered += covered_here.count();
-            pixels.extend(truth.levels.iter().copied().map(display_pixel));
-            Ok(())
-        })
+            pixels.extend(truth.levels.into_iter().map(display_pixel));
+        }
+        Ok(())
     })?;
     let time = begin.elapsed();
     output.write_png(&pixels, view.size)?;

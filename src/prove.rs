@@ -19,7 +19,6 @@ use std::cmp::Ordering::Equal;
 
 use fearless_simd::Level;
 use hecs::World;
-use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::components::View;
@@ -27,6 +26,7 @@ use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face};
 use crate::memory;
 use crate::reference::{Interval, Real, Reference, Seen};
 use crate::report::Monitor;
+use crate::report::progress::bands;
 use crate::shading::limit;
 use crate::systems;
 use crate::trade::metrics::{difference, displayed, ends};
@@ -320,7 +320,7 @@ pub fn prove_at<const COUNT: usize>(
     for proof in &mut proofs {
         proof.marks = memory::reserve_pixels(view.size)?;
     }
-    monitor.in_bands("proving", height, |rows| {
+    for rows in bands(height) {
         if picture.is_none() {
             for (tolerance, frames) in tolerances.iter().zip(&mut frames) {
                 let view = view.with_tolerance(*tolerance);
@@ -330,7 +330,6 @@ pub fn prove_at<const COUNT: usize>(
             }
         }
         let prove_row = |y: usize| {
-            monitor.check()?;
             let mut exact = Vec::with_capacity(width);
             reference.row(y, |_, seen| exact.push(seen[0]));
             let mut proofs = tolerances.map(|_| Proof::default());
@@ -350,14 +349,13 @@ pub fn prove_at<const COUNT: usize>(
             });
             Ok(proofs)
         };
-        let proven = rows.clone().into_par_iter().map(prove_row);
-        for row in proven.collect::<anyhow::Result<Vec<_>>>()? {
+        let done = [rows.start, height];
+        for row in monitor.in_parallel("proving", rows.clone(), done, prove_row)? {
             for (proof, row) in proofs.iter_mut().zip(row) {
                 proof.append(row);
             }
         }
-        Ok(())
-    })?;
+    }
     for proof in &mut proofs {
         let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
         proof.proven = count(|mark| mark.verdict == Verdict::Proven);

@@ -277,11 +277,11 @@ pub fn picture(
     monitor: Monitor,
 ) -> anyhow::Result<Truth> {
     let reference = Reference::<f64>::new(world, view);
-    let (width, all) = (view.size[0], rows.len());
+    let ([width, height], above) = (view.size, rows.start);
     let mut truth = Truth {
         width,
-        levels: vec![[0.0; 3]; width * all],
-        triangles: vec![NO_TRIANGLE; width * all],
+        levels: vec![[0.0; 3]; width * rows.len()],
+        triangles: vec![NO_TRIANGLE; width * rows.len()],
     };
     let levels = truth.levels.par_chunks_mut(width);
     let triangles = truth.triangles.par_chunks_mut(width);
@@ -294,6 +294,6 @@ pub fn picture(
         });
         Ok(())
     };
-    monitor.in_parallel("drawing the reference", rows, [0, all], draw)?;
+    monitor.in_parallel("drawing the reference", rows, [above, height], draw)?;
     Ok(truth)
 }

@@ -8,9 +8,6 @@ use anyhow::{Context, ensure};
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use rayon::prelude::*;
 
-/// Rows of a picture that are evaluated at once. They bound the memory of a comparison.
-const BAND: usize = 64;
-
 /// The error of work that is cancelled.
 pub const CANCELLED: &str = "the work was cancelled";
 
@@ -30,38 +27,10 @@ impl Monitor<'_> {
         progress: &|_, _| (),
     };
 
-    /// The same caller without progress, for work that is itself a part of a step.
-    #[must_use]
-    pub fn quiet(self) -> Self {
-        Monitor {
-            progress: &|_, _| (),
-            ..self
-        }
-    }
-
     /// # Errors
     /// If the work is cancelled.
     pub fn check(&self) -> anyhow::Result<()> {
         ensure!(!(self.is_cancelled)(), CANCELLED);
-        Ok(())
-    }
-
-    /// Does `work` for each band of a picture with `height` rows, from the top.
-    ///
-    /// # Errors
-    /// The first error of `work`, or that the work is cancelled.
-    pub fn in_bands(
-        &self,
-        step: &'static str,
-        height: usize,
-        mut work: impl FnMut(Range<usize>) -> anyhow::Result<()>,
-    ) -> anyhow::Result<()> {
-        for start in (0..height).step_by(BAND) {
-            self.check()?;
-            let end = height.min(start + BAND);
-            work(start..end)?;
-            (self.progress)(step, end as f64 / height as f64);
-        }
         Ok(())
     }
 
@@ -91,6 +60,14 @@ impl Monitor<'_> {
         };
         items.into_par_iter().map(one).collect()
     }
+}
+
+/// A picture with `height` rows in bands, from the top, that are evaluated one after the other. Their rows bound the memory
+/// of a comparison.
+pub fn bands(height: usize) -> impl Iterator<Item = Range<usize>> {
+    const ROWS: usize = 64;
+    let starts = (0..height).step_by(ROWS);
+    starts.map(move |start| start..height.min(start + ROWS))
 }
 
 /// Does `work` while a bar shows the share of its present step. The bar disappears at the end.

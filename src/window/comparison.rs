@@ -8,6 +8,7 @@ use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
 use crate::reference;
 use crate::report::Monitor;
+use crate::report::progress::bands;
 use crate::systems;
 use crate::trade::error_map::Scale;
 use crate::trade::metrics::{self, Picture};
@@ -39,17 +40,16 @@ impl Comparison {
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
         let mut errors = memory::reserve_pixels(view.size)?;
         let mut largest: Option<f64> = None;
-        monitor.in_bands("comparing", view.size[1], |rows| {
+        for rows in bands(view.size[1]) {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
             let phong = view.shaded(ShadingMode::Phong);
-            let exact = reference::picture(world, &phong, rows, monitor.quiet())?;
+            let exact = reference::picture(world, &phong, rows, monitor)?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
             let error = metrics::compare(drawn, compared).error.map(|it| it.max);
             largest = largest.into_iter().chain(error).reduce(f64::max);
             errors.extend(metrics::compared(drawn, compared));
-            exact_pixels.extend(exact.levels.iter().copied().map(display_pixel));
-            Ok(())
-        })?;
+            exact_pixels.extend(exact.levels.into_iter().map(display_pixel));
+        }
         let scale = Scale::holding(largest.unwrap_or(0.0));
         Ok(Comparison {
             exact: exact_pixels,
