@@ -133,17 +133,7 @@ impl SceneRecord {
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let document = toml::Deserializer::parse(text).map_err(|error| (String::new(), error));
-        let read = |document| {
-            serde_path_to_error::deserialize(document).map_err(|error| {
-                let key = match error.path().to_string() {
-                    root if root == "." => String::new(),
-                    key => format!("`{key}`: "),
-                };
-                (key, error.into_inner())
-            })
-        };
-        let record: SceneRecord = document.and_then(read).map_err(|(key, error)| {
+        let located = |key: String, error: toml::de::Error| {
             let span = error.span().unwrap_or_default();
             let in_words = |message: String, (name, words)| message.replace(name, words);
             let message = match text.get(span.clone()) {
@@ -153,6 +143,16 @@ impl SceneRecord {
                 _ => TYPES.into_iter().fold(key + error.message(), in_words),
             };
             (span, message)
+        };
+        let document = toml::Deserializer::parse(text);
+        let document = document.map_err(|error| located(String::new(), error))?;
+        let record = serde_path_to_error::deserialize(document);
+        let record: SceneRecord = record.map_err(|error| {
+            let key = match error.path().to_string() {
+                root if root == "." => String::new(),
+                key => format!("`{key}`: "),
+            };
+            located(key, error.into_inner())
         })?;
         record
             .check()
