@@ -113,18 +113,18 @@ fn y() -> DVec3 {
 }
 
 impl SceneRecord {
-    /// The index of the active camera; `None` if there is no camera of that name.
-    pub(super) fn active_camera(&self) -> Option<usize> {
+    /// The active camera; `None` if there is no camera of that name.
+    pub(super) fn active_camera(&self) -> Option<&CameraRecord> {
+        let mut cameras = self.camera.iter();
         match &self.view.camera {
-            None => Some(0),
-            Some(name) => self.camera.iter().position(|camera| camera.name == *name),
+            None => cameras.next(),
+            Some(name) => cameras.find(|camera| camera.name == *name),
         }
     }
 
-    /// Removes all cameras but the active one.
+    /// Removes all cameras of a checked record but the active one.
     pub(crate) fn keep_active_camera(&mut self) {
-        let active = self.active_camera().unwrap_or(0);
-        self.camera = vec![self.camera.swap_remove(active)];
+        self.camera = self.active_camera().into_iter().cloned().collect();
         self.view.camera = None;
     }
 

@@ -25,11 +25,7 @@ pub fn updated(text: &str, record: &SceneRecord) -> String {
     let named = document.get("view").and_then(|view| view.get("camera"));
     if let Some(name) = named.and_then(Item::as_str) {
         old["view"]["camera"] = json!(name);
-        new["view"]["camera"] = json!(
-            record
-                .active_camera()
-                .map(|active| &record.camera[active].name)
-        );
+        new["view"]["camera"] = json!(record.active_camera().map(|it| &it.name));
     }
     for kind in ["cuboid", "light", "camera"] {
         let [old, new] = [&mut old, &mut new].map(|tree| tree[kind].take());
