@@ -119,9 +119,7 @@ fn advise(error: anyhow::Error, instead: &str) -> anyhow::Error {
 /// Plays a recording in a window, or draws it into a file or prints hashes if the options say so.
 fn replay(options: &ReplayOptions) -> Result<(), Failure> {
     let output = options.output.as_ref();
-    if let Some(output) = output {
-        cli::options::refuse_to_replace(&options.log, output)?;
-    }
+    cli::options::refuse_to_replace(&options.log, output)?;
     let plays = output.is_none() && !options.hash;
     if plays {
         window::restart_in_fit_environment()?;

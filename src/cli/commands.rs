@@ -109,7 +109,8 @@ impl TradeOptions {
         };
         if let (Some(scene), Some(folder)) = (&drawing.scene.path, &self.output) {
             for name in trade::FILES {
-                options::refuse_to_replace(scene, &Output::File(folder.join(name)))?;
+                let file = Output::File(folder.join(name));
+                options::refuse_to_replace(scene, Some(&file))?;
             }
         }
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
@@ -174,9 +175,7 @@ impl ProveOptions {
         let Some(path) = &self.picture else {
             return Ok(None);
         };
-        if let Some(output) = &self.output {
-            options::refuse_to_replace(path, output)?;
-        }
+        options::refuse_to_replace(path, self.output.as_ref())?;
         read_png(path).map(Some).map_err(Failure::Usage)
     }
 }

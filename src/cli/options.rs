@@ -76,7 +76,7 @@ impl DrawingOptions {
         if let Some(Output::File(path)) = output {
             check_place(path)?;
         }
-        if let (Some(path), Some(output)) = (&scene.path, output) {
+        if let Some(path) = &scene.path {
             refuse_to_replace(path, output)?;
         }
         self.apply_to(scene)
@@ -136,8 +136,8 @@ impl BudgetOption {
 ///
 /// # Errors
 /// [`Failure::Usage`] if it is.
-pub fn refuse_to_replace(input: &Path, output: &Output) -> Result<(), Failure> {
-    if let Output::File(output) = output
+pub fn refuse_to_replace(input: &Path, output: Option<&Output>) -> Result<(), Failure> {
+    if let Some(Output::File(output)) = output
         && input.is_file()
         && let (Ok(read), Ok(written)) = (input.canonicalize(), output.canonicalize())
         && read == written
