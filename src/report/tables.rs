@@ -1,6 +1,6 @@
 //! Tables and paragraphs for a terminal, and tables in Markdown.
 
-use comfy_table::{CellAlignment, ContentArrangement, Table, TableComponent, presets};
+use comfy_table::{CellAlignment, ContentArrangement, Row, Table, TableComponent, presets};
 
 /// The width of a paragraph, in columns of the terminal.
 const WIDTH: usize = 80;
@@ -9,7 +9,7 @@ const WIDTH: usize = 80;
 const GAP: u16 = 2;
 
 /// A table for a terminal. Its first column is aligned to the left, the others to the right.
-pub fn aligned(head: &[impl ToString], rows: &[Vec<String>]) -> String {
+pub fn aligned(head: &[impl ToString], rows: impl IntoIterator<Item: Into<Row>>) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     table.set_style(TableComponent::HeaderLines, '\u{2500}');
@@ -27,11 +27,12 @@ pub fn aligned(head: &[impl ToString], rows: &[Vec<String>]) -> String {
 }
 
 /// The same table in Markdown.
-pub fn markdown(head: &[&str], rows: &[Vec<String>]) -> String {
+pub fn markdown(head: &[&str], rows: impl IntoIterator<Item: AsRef<[String]>>) -> String {
     let row = |cells: &str| format!("| {cells} |\n");
     let rule = format!("|---{}|\n", "|---:".repeat(head.len() - 1));
-    let rows: Vec<String> = rows.iter().map(|cells| row(&cells.join(" | "))).collect();
-    row(&head.join(" | ")) + &rule + &rows.concat()
+    let rows = rows.into_iter();
+    let rows: String = rows.map(|cells| row(&cells.as_ref().join(" | "))).collect();
+    row(&head.join(" | ")) + &rule + &rows
 }
 
 /// The words of a text in lines of at most `WIDTH` columns.
@@ -52,7 +53,7 @@ mod tests {
 
     #[test]
     fn numbers_end_where_their_heading_ends() {
-        let table = aligned(&["id", "ms"], &[vec!["gouraud".into(), "1".into()]]);
+        let table = aligned(&["id", "ms"], [["gouraud", "1"]]);
         let lines: Vec<&str> = table.lines().collect();
         assert_eq!([lines[0], lines[2]], ["id        ms", "gouraud    1"]);
     }

@@ -119,14 +119,14 @@ pub struct FormatError {
 
 impl StageBits {
     /// The cells of a table: stage, bits, largest error, formats.
-    pub fn cells(&self) -> Vec<String> {
+    pub fn cells(&self) -> [String; 6] {
         let bits = self.bits.map_or("> 24".to_owned(), |bits| bits.to_string());
-        let mut cells = vec![self.stage.to_owned(), bits, short(self.largest_error)];
-        cells.extend(self.formats.iter().map(|format| {
+        let [f16, bf16, f32] = self.formats.each_ref().map(|format| {
             let answer = if format.keeps { "yes" } else { "no" };
             format!("{answer}, {}", short(format.largest_error))
-        }));
-        cells
+        });
+        let error = short(self.largest_error);
+        [self.stage.to_owned(), bits, error, f16, bf16, f32]
     }
 }
 

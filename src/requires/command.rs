@@ -66,8 +66,8 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
     print(&record, as_json, least_scene, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
         let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
-        let cells: Vec<_> = stages.iter().map(StageBits::cells).collect();
-        let bits = [aligned(&head, &cells), wrapped(LEGEND_OF_BITS)];
+        let cells = stages.iter().map(StageBits::cells);
+        let bits = [aligned(&head, cells), wrapped(LEGEND_OF_BITS)];
         [&parts[..], &bits[..]].concat().join("\n\n")
     })?;
     match least_scene {
@@ -122,7 +122,7 @@ fn time_share(drawing: &Drawing, view: &View, part: Part) -> anyhow::Result<Opti
 fn table(rows: &[PartRow]) -> String {
     let cells = |row: &PartRow| {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
-        vec![
+        [
             row.found.name.clone(),
             interval(row.found.change.largest_error, short),
             row.found.change.pixels.to_string(),
@@ -131,7 +131,7 @@ fn table(rows: &[PartRow]) -> String {
         ]
     };
     let head = ["part", "largest error", "pixels", "time", "required"];
-    aligned(&head, &rows.iter().map(cells).collect::<Vec<_>>())
+    aligned(&head, rows.iter().map(cells))
 }
 
 /// Writes a scene without parts that it does not require. Only parts that a scene file can leave out are tried, each once,

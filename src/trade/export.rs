@@ -30,7 +30,7 @@ pub fn table(report: &Report) -> String {
     let mut paragraphs = vec![
         wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
-        aligned(&head(), &rows(report)),
+        aligned(&head(), rows(report)),
         wrapped(&legend(report)),
     ];
     // There is no verdict where none of its methods was measured.
@@ -46,7 +46,7 @@ pub fn markdown(report: &Report) -> String {
         subject(report),
         place(report),
         report.command,
-        tables::markdown(&head(), &rows(report)),
+        tables::markdown(&head(), rows(report)),
         legend(report)
     )
 }
@@ -55,9 +55,9 @@ fn head() -> [&'static str; COLUMNS.len()] {
     COLUMNS.map(|(head, _)| head)
 }
 
-fn rows(report: &Report) -> Vec<Vec<String>> {
-    let row = |one| COLUMNS.map(|(_, cell)| cell(one)).to_vec();
-    report.methods.iter().map(row).collect()
+fn rows(report: &Report) -> impl Iterator<Item = [String; COLUMNS.len()]> {
+    let methods = report.methods.iter();
+    methods.map(|one| COLUMNS.map(|(_, cell)| cell(one)))
 }
 
 /// The view in words.

@@ -87,13 +87,11 @@ fn ends(points: &[CurvePoint]) -> Option<[f64; 2]> {
 pub fn table(curves: &[ErrorCurve]) -> String {
     let ids = EVALUATIONS.map(|(id, _)| id);
     let head = [&["number", "swept"][..], &ids].concat();
-    let row = |curves: &[ErrorCurve]| {
+    let rows = curves.chunks(EVALUATIONS.len()).map(|curves| {
         let start = [curves[0].number.to_owned(), span(curves[0].range())];
-        let kept = curves.iter().map(ErrorCurve::kept);
-        start.into_iter().chain(kept).collect()
-    };
-    let rows: Vec<Vec<String>> = curves.chunks(EVALUATIONS.len()).map(row).collect();
-    format!("{}\n\n{}", aligned(&head, &rows), wrapped(LEGEND))
+        start.into_iter().chain(curves.iter().map(ErrorCurve::kept))
+    });
+    format!("{}\n\n{}", aligned(&head, rows), wrapped(LEGEND))
 }
 
 const LEGEND: &str = "The range in which the largest error of a picture is proven to be within 0.05 level of the exact \
