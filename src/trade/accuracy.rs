@@ -20,7 +20,7 @@ use super::timing::Timing;
 use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
-use crate::reference::{self, Truth};
+use crate::reference;
 use crate::report::Monitor;
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
@@ -53,13 +53,12 @@ pub fn errors(
     let own_modes = methods.iter().map(|method| method.mode);
     let own_modes = own_modes.filter(|_| request.is_report);
     let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
-    let truth = |mode| {
+    let mut truths = HashMap::new();
+    for mode in modes {
         let view = view.shaded(mode);
         let truth = reference::picture(&scene.world, &view, 0..view.size[1], monitor)?;
-        Ok((mode, truth))
-    };
-    let truths = modes.into_iter().map(truth);
-    let truths = truths.collect::<anyhow::Result<HashMap<ShadingMode, Truth>>>()?;
+        truths.insert(mode, truth);
+    }
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
     let mut measured = Vec::new();
     for (method, highlight_kept) in methods.iter().zip(shares_kept) {
