@@ -264,7 +264,8 @@ impl<R: Real> ReferenceCuboid<R> {
     }
 }
 
-/// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used.
+/// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used. The monitor receives the
+/// share of the whole picture, whose rows are drawn from the top.
 ///
 /// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
 ///
