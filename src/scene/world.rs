@@ -9,31 +9,23 @@ use crate::components::{
     in_file_order, viewer,
 };
 
-type CuboidParts<'a> = (
-    &'a Name,
-    &'a Transform,
-    &'a Mesh,
-    &'a Material,
-    &'a ShadingMode,
-);
-
 impl SceneRecord {
     /// The record of a world. It does not tell whether the cuboids keep turning.
     ///
     /// # Panics
     /// If the world has no viewer or no camera. A spawned scene has both.
     pub fn of(world: &World) -> SceneRecord {
-        let cuboid =
-            in_file_order::<CuboidParts, _>(world, |(name, at, mesh, material, shading)| {
-                CuboidRecord {
-                    name: name.0.clone(),
-                    size: mesh.size(),
-                    position: at.position,
-                    rotation: at.rotation,
-                    shading: *shading,
-                    material: *material,
-                }
-            });
+        let cuboid = in_file_order::<(&Name, &Transform, &Mesh, &Material, &ShadingMode), _>(
+            world,
+            |(name, at, mesh, material, shading)| CuboidRecord {
+                name: name.0.clone(),
+                size: mesh.size(),
+                position: at.position,
+                rotation: at.rotation,
+                shading: *shading,
+                material: *material,
+            },
+        );
         let light = in_file_order::<(&Name, &Transform, &Light), _>(world, |(name, at, light)| {
             LightRecord {
                 name: name.0.clone(),
