@@ -101,25 +101,20 @@ fn amend_table(table: &mut dyn TableLike, old: &Json, new: &Json) {
         if before == value {
             continue;
         }
-        match table.get_mut(key) {
-            Some(item) => amend(item, before, value),
-            None => {
-                table.insert(key, created(key, before, value));
-            }
+        let Some(item) = table.get_mut(key) else {
+            table.insert(key, created(key, before, value));
+            continue;
+        };
+        if let Some(table) = item.as_table_like_mut() {
+            amend_table(table, before, value);
+        } else if let Some(item) = item.as_value_mut() {
+            amend_value(item, before, value);
         }
     }
     for (key, _) in old.as_object().into_iter().flatten() {
         if new.get(key).is_none() {
             table.remove(key);
         }
-    }
-}
-
-fn amend(item: &mut Item, old: &Json, new: &Json) {
-    if let Some(table) = item.as_table_like_mut() {
-        amend_table(table, old, new);
-    } else if let Some(value) = item.as_value_mut() {
-        amend_value(value, old, new);
     }
 }
 
