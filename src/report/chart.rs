@@ -133,11 +133,8 @@ pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
 
 /// `digit` times a power of ten, rounded once, so that its decimal form is short.
 fn scaled(digit: f64, decade: i32) -> f64 {
-    if decade < 0 {
-        digit / 10_f64.powi(-decade)
-    } else {
-        digit * 10_f64.powi(decade)
-    }
+    let decimal = format!("{digit}e{decade}");
+    decimal.parse().expect("a decimal number")
 }
 
 /// A tick as text; a power of ten with its exponent where it is long.
