@@ -18,7 +18,7 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use anyhow::{anyhow, bail, ensure};
+use anyhow::{anyhow, bail};
 use hecs::World;
 
 pub use self::check::{MAX_SIDE, Mistake};
@@ -47,12 +47,6 @@ pub const BUILT_IN: [(&str, &str); 4] = [
 /// The built-in scenes with extreme numbers, as name (`extremes/NAME`) and text, ordered by name.
 pub const EXTREMES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/extremes.rs"));
 
-/// The built-in scene of this name. Such a name wins over a file.
-fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
-    let mut all = BUILT_IN.iter().chain(EXTREMES);
-    all.find(|(name, _)| path.as_os_str() == *name)
-}
-
 /// A world and its source.
 pub struct Scene {
     /// The built-in name, or the path as given.
@@ -79,7 +73,9 @@ impl Scene {
     /// # Errors
     /// As [`Scene::load`].
     pub fn load_path(path: &Path) -> anyhow::Result<Scene> {
-        if let Some((name, text)) = built_in(path) {
+        // A built-in name wins over a file.
+        let mut built_in = BUILT_IN.iter().chain(EXTREMES);
+        if let Some((name, text)) = built_in.find(|(name, _)| path.as_os_str() == *name) {
             return Scene::parse(name, text);
         }
         let name = path.to_string_lossy();
@@ -114,8 +110,8 @@ impl Scene {
     pub fn parse(name: &str, text: &str) -> anyhow::Result<Scene> {
         // Some editors write a byte order mark, which counts in no column.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let located = |span, message: &str| error::located(name, text, &span, message);
-        let record = SceneRecord::read(text).map_err(|(span, why)| anyhow!(located(span, &why)))?;
+        let record = SceneRecord::read(text)
+            .map_err(|(span, why)| anyhow!(error::located(name, text, &span, &why)))?;
         Ok(Scene {
             text: text.to_owned(),
             ..Scene::spawn(name.to_owned(), &record)
@@ -193,15 +189,13 @@ fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
     if names.iter().any(|known| known == name) {
         return Ok(());
     }
-    ensure!(
-        !names.is_empty(),
-        "no {kind} is named {name:?}; the scene has no {kind}s"
-    );
     let listed = names.iter().take(MAX_LISTED);
     let mut listed: Vec<String> = listed.map(|name| format!("{name:?}")).collect();
     if names.len() > MAX_LISTED {
         listed.push(format!("{} more", names.len() - MAX_LISTED));
     }
-    let listed = listed.join(", ");
-    bail!("no {kind} is named {name:?}; the scene's {kind}s are {listed}")
+    match &*listed.join(", ") {
+        "" => bail!("no {kind} is named {name:?}; the scene has no {kind}s"),
+        listed => bail!("no {kind} is named {name:?}; the scene's {kind}s are {listed}"),
+    }
 }
