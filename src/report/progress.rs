@@ -62,8 +62,7 @@ impl Monitor<'_> {
     }
 }
 
-/// A picture with `height` rows in bands, from the top, that are evaluated one after the other. Their rows bound the memory
-/// of a comparison.
+/// The rows of a picture in bands, from the top. Evaluated one after the other, they bound the memory of a comparison.
 pub fn bands(height: usize) -> impl Iterator<Item = Range<usize>> {
     const ROWS: usize = 64;
     let starts = (0..height).step_by(ROWS);
