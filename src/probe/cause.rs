@@ -34,17 +34,14 @@ impl ProbedSurface {
     pub fn cause(&self) -> Option<[String; 2]> {
         let sample = self.sample.as_ref()?;
         let (channel, error) = self.error()?;
+        let color = CHANNELS[channel];
         if self.drawn.mode == ShadingMode::UnitVectors {
             let [drawn, exact] = [self.drawn.levels[channel], sample.phong[channel]].map(level);
+            let cause = "Interpolated unit vectors are too short";
+            let length = sample.normal_length;
             return Some([
-                format!(
-                    "Interpolated unit vectors are too short: {drawn} instead of {exact} in {}.",
-                    CHANNELS[channel]
-                ),
-                format!(
-                    "n has length {:.2} here, so n.l and o.r are no cosines.",
-                    sample.normal_length
-                ),
+                format!("{cause}: {drawn} instead of {exact} in {color}."),
+                format!("n has length {length:.2} here, so n.l and o.r are no cosines."),
             ]);
         }
         let difference =
@@ -87,13 +84,8 @@ impl ProbedSurface {
             format!("{factor} of {name} {course} a straight line between the vertices")
         };
         let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
-        Some([
-            format!(
-                "{cause}: the light's {} is {gouraud} instead of {phong}.",
-                CHANNELS[channel]
-            ),
-            evidence,
-        ])
+        let cause = format!("{cause}: the light's {color} is {gouraud} instead of {phong}.");
+        Some([cause, evidence])
     }
 }
 
