@@ -59,12 +59,10 @@ pub fn text_style(pixels: f64, color: RGBColor) -> TextStyle<'static> {
 /// The plotting library gives none in practice.
 pub fn heading(area: &Area, title: &str, lines: &[&str]) -> anyhow::Result<()> {
     area.draw_text(title, &text_style(18.0, INK), (24, 16))?;
+    // XML does not allow these characters.
+    let is_illegal = |it: char| it.is_control() || "\u{fffe}\u{ffff}".contains(it);
     for (line, y) in lines.iter().zip((42..).step_by(18)) {
-        // XML does not allow these characters.
-        let line = line.replace(
-            |letter: char| letter.is_control() || "\u{fffe}\u{ffff}".contains(letter),
-            "\u{fffd}",
-        );
+        let line = line.replace(is_illegal, "\u{fffd}");
         area.draw_text(&line, &text_style(12.0, FAINT), (24, y))?;
     }
     Ok(())

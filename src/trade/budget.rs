@@ -65,10 +65,8 @@ impl Hold {
     #[must_use]
     pub fn after(self, last: f64, costs: &[f64], budget: f64) -> Hold {
         let place = self.place.min(costs.len().saturating_sub(1));
-        let fits = fitting(
-            costs,
-            ROOM * budget * costs.get(place).unwrap_or(&0.0) / last,
-        );
+        let cost = costs.get(place).unwrap_or(&0.0);
+        let fits = fitting(costs, ROOM * budget * cost / last);
         if last > budget && place > 0 {
             return Hold::at(fits.min(place - 1));
         }
