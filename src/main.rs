@@ -95,7 +95,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
     let mut drawing = options.drawing.open(None)?;
     options.budget.apply_to(&mut drawing);
-    let scene = drawing.scene.name.clone();
+    let scene = output::quoted(&drawing.scene.name);
     let closed = window::run(drawing, options.record.as_deref());
     if let Err(missing) = &closed
         && missing.is::<NoDisplay>()
