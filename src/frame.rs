@@ -13,6 +13,7 @@ use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 use glam::DVec3;
+use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 use self::aligned::Aligned;
@@ -108,7 +109,7 @@ struct Buffers {
     kinds: Aligned<u8>,
     depths: Aligned<f64>,
     /// One per row.
-    drawn: Vec<Drawn>,
+    drawn: Aligned<Drawn>,
 }
 
 impl Frame {
@@ -189,34 +190,30 @@ impl Frame {
         deep: bool,
     ) -> Result<(), OutOfMemory> {
         self.counts = Counts::default();
-        let pixels = size[0] * rows.len();
-        let display = self.keep == Keep::Display;
-        let wanted = |kept: bool| if kept { pixels } else { 0 };
+        let shown = self.keep == Keep::Display;
+        let wanted = |kept: bool| if kept { size[0] * rows.len() } else { 0 };
+        let [pixels, levels, triangles, depths] = [shown, !shown, deep || !shown, deep].map(wanted);
         let old = &self.buffers;
-        if old.size == size && old.rows == rows && old.depths.len() == wanted(deep) {
+        if old.size == size && old.rows == rows && old.depths.as_slice().len() == depths {
             return Ok(());
         }
         // If the allocation fails, the old picture must not be taken for the new one.
         self.buffers = Buffers::default();
-        let needed = wanted(display) * size_of::<u32>()
-            + wanted(!display) * (size_of::<[f32; 3]>() + size_of::<u8>())
-            + wanted(deep || !display) * size_of::<u32>()
-            + wanted(deep) * size_of::<f64>();
+        let needed = (pixels + triangles) * size_of::<u32>()
+            + levels * (size_of::<[f32; 3]>() + size_of::<u8>())
+            + depths * size_of::<f64>();
         memory::check(size, needed)?;
         let allocate = || {
-            let mut drawn = Vec::new();
-            drawn.try_reserve_exact(rows.len())?;
-            drawn.resize(rows.len(), Drawn::anything(size[0]));
             Ok(Buffers {
                 size,
                 background: DVec3::ZERO,
                 deep: false,
-                pixels: Aligned::new(wanted(display), 0)?,
-                levels: Aligned::new(wanted(!display), [0.0; 3])?,
-                triangles: Aligned::new(wanted(deep || !display), NO_TRIANGLE)?,
-                kinds: Aligned::new(wanted(!display), 0)?,
-                depths: Aligned::new(wanted(deep), FARTHEST)?,
-                drawn,
+                pixels: Aligned::new(pixels, 0)?,
+                levels: Aligned::new(levels, [0.0; 3])?,
+                triangles: Aligned::new(triangles, NO_TRIANGLE)?,
+                kinds: Aligned::new(levels, 0)?,
+                depths: Aligned::new(depths, FARTHEST)?,
+                drawn: Aligned::new(rows.len(), Drawn::anything(size[0]))?,
                 rows,
             })
         };
@@ -235,7 +232,8 @@ impl Frame {
         let deep = list.objects.len() > 1;
         if (buffers.background, buffers.deep) != (background, deep) {
             (buffers.background, buffers.deep) = (background, deep);
-            buffers.drawn.fill(Drawn::anything(buffers.size[0]));
+            let anything = Drawn::anything(buffers.size[0]);
+            buffers.drawn.as_mut_slice().fill(anything);
         }
         list.cut(&buffers.rows, self.workers.pool.is_some());
         let mut band = Band {
@@ -247,7 +245,7 @@ impl Frame {
             triangles: buffers.triangles.as_mut_slice(),
             kinds: buffers.kinds.as_mut_slice(),
             depths: buffers.depths.as_mut_slice(),
-            drawn: &mut buffers.drawn,
+            drawn: buffers.drawn.as_mut_slice(),
         };
         if !deep {
             band.depths = &mut [];
@@ -268,20 +266,14 @@ impl Frame {
         };
         match &self.workers.pool {
             Some(pool) if list.cuts.len() >= WORTH_SHARING => {
-                pool.install(|| on_each_thread(&mut self.scratch, &work));
+                // Joins, of which this is made, allocate nothing, unlike jobs of a scope.
+                pool.install(|| self.scratch.par_iter_mut().for_each(work));
             }
             _ => work(&mut self.scratch[0]),
         }
         for (_, counts) in &mut self.scratch {
             self.counts += std::mem::take(counts);
         }
-    }
-}
-
-/// Does `work` with each element, on the threads of the pool. Joins, unlike jobs of a scope, allocate nothing.
-fn on_each_thread<T: Send>(all: &mut [T], work: &(impl Fn(&mut T) + Sync)) {
-    if let [first, rest @ ..] = all {
-        rayon::join(|| work(first), || on_each_thread(rest, work));
     }
 }
 

@@ -18,9 +18,6 @@ impl<T: Clone> Aligned<T> {
     /// A buffer filled with a value.
     pub fn new(len: usize, value: T) -> Result<Self, TryReserveError> {
         let mut memory = Vec::new();
-        if len == 0 {
-            return Ok(Aligned { memory, used: 0..0 });
-        }
         memory.try_reserve_exact(len + LINE)?;
         memory.resize(len + LINE, value);
         // No element is smaller than a byte, so a line begins at one of the first.
@@ -29,10 +26,6 @@ impl<T: Clone> Aligned<T> {
             memory,
             used: first..first + len,
         })
-    }
-
-    pub fn len(&self) -> usize {
-        self.used.len()
     }
 
     pub fn as_slice(&self) -> &[T] {

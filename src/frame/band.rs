@@ -15,7 +15,7 @@ pub const NO_TRIANGLE: u32 = u32::MAX;
 pub const FARTHEST: f64 = f64::MIN;
 
 /// The pixels that are drawn in one row, by the last frame and by the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Drawn {
     /// The range from..to of the pixels that may differ from the background.
     by_last: [u32; 2],

@@ -108,8 +108,7 @@ impl DrawList {
 
     /// Cuts these rows of the picture into bands: one, or several that have at least the work of [`BAND`] pixels each.
     pub fn cut(&mut self, rows: &Range<usize>, several: bool) {
-        let mut cuts = std::mem::take(&mut self.cuts);
-        cuts.clear();
+        self.cuts.clear();
         let mut work = 0;
         let strips = rows.start / MAX_SIDE..rows.end / MAX_SIDE;
         for strip in strips.filter(|_| several) {
@@ -121,12 +120,11 @@ impl DrawList {
                 work += PIECE + covered.map(|(_, span)| span.len()).sum::<usize>();
             }
             if work >= BAND && end < rows.end {
-                cuts.push(end);
+                self.cuts.push(end);
                 work = 0;
             }
         }
-        cuts.push(rows.end);
-        self.cuts = cuts;
+        self.cuts.push(rows.end);
     }
 }
 
