@@ -88,7 +88,7 @@ const SNAPPING: f64 = 1.0 / 256.0;
 pub struct Face<'a> {
     pub rays: &'a Rays,
     /// As [`FACES`] counts.
-    pub index: usize,
+    index: usize,
     /// The unit normal, on the side that is seen.
     outwards: DVec3,
     /// w and H.
@@ -107,7 +107,7 @@ pub struct Face<'a> {
     middle: DVec3,
     half_edges: [DVec3; 2],
     /// (u, v) of its corners in the order of [`FACES`].
-    corners: [[f64; 2]; 4],
+    pub corners: [[f64; 2]; 4],
 }
 
 impl<'a> Face<'a> {
@@ -117,7 +117,6 @@ impl<'a> Face<'a> {
         let axis = index / 2;
         let along = [(axis + 1) % 3, (axis + 2) % 3];
         let (outwards, w, height) = plane(index, transform, half, rays);
-        let corners = corner_uvs(index);
         let centre = transform.position - rays.lens.eye;
         let mut face = Face {
             rays,
@@ -131,7 +130,8 @@ impl<'a> Face<'a> {
             half_height: half[axis],
             middle: centre + outwards * half[axis],
             half_edges: along.map(|axis| transform.axes.col(axis) * half[axis]),
-            corners,
+            corners: FACES[index]
+                .map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 })),
         };
         let to_centre = face.towards(centre, DVec3::ZERO);
         let [u, v] =
@@ -273,10 +273,4 @@ impl<'a> Face<'a> {
         let [x, y] = self.corners[1];
         x * u + y * v
     }
-}
-
-/// (u, v) of a face's corners, in the order of [`FACES`].
-pub fn corner_uvs(index: usize) -> [[f64; 2]; 4] {
-    let along = [(index / 2 + 1) % 3, (index / 2 + 2) % 3];
-    FACES[index].map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 }))
 }

@@ -9,7 +9,7 @@
 use glam::{DMat3, DVec3};
 
 use super::affine::Affine;
-use super::face::{Face, corner_uvs};
+use super::face::Face;
 use super::specular::power_exact;
 use super::surface::Surface;
 use crate::components::{Projection, unit};
@@ -38,7 +38,7 @@ impl<'a> UnitVectors<'a> {
         surface: Surface<'a>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Self {
-        let (uvs, lens) = (corner_uvs(face.index), &face.rays.lens);
+        let (uvs, lens) = (face.corners, &face.rays.lens);
         let corners = uvs.map(|uv| face.from_eye(uv));
         let lights = surface.illumination.points.iter();
         to_lights.clear();

@@ -14,7 +14,7 @@ use glam::DVec3;
 use hecs::World;
 
 use self::frustum::Frustum;
-use crate::components::{FACES, Lens, Mesh, Projected, Projection, View, WorldTransform};
+use crate::components::{Lens, Mesh, Projected, Projection, TRIANGLES, View, WorldTransform};
 use crate::frame::Frame;
 
 /// Overwrites the [`Projected`] of every cuboid.
@@ -45,23 +45,18 @@ pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: 
     let snapped = frustum
         .holds(half)
         .then(|| projected.seen.map(|seen| frustum.snapped(seen)));
-    for (face, corners) in FACES.iter().enumerate() {
-        let axis = face / 2;
+    for (index, polygon) in projected.polygons.iter_mut().enumerate() {
+        let corners = TRIANGLES[index].map(usize::from);
+        let (face, axis) = (index / 2, index / 4);
         let outwards = if face % 2 == 0 { 1.0 } else { -1.0 };
-        let front = outwards * eye_side[axis] > half[axis];
-        let [a, b, c, d] = corners.map(usize::from);
-        for (second, triangle) in [[a, b, c], [a, c, d]].into_iter().enumerate() {
-            let polygon = &mut projected.polygons[2 * face + second];
-            if !front {
-                polygon.len = 0;
-            } else if let Some(snapped) = &snapped {
-                polygon.len = 3;
-                for (vertex, corner) in polygon.vertices.iter_mut().zip(triangle) {
-                    *vertex = snapped[corner];
-                }
-            } else {
-                *polygon = frustum.clip(axis, triangle.map(|corner| mesh.corners[corner]));
-            }
+        let is_front = outwards * eye_side[axis] > half[axis];
+        if !is_front {
+            polygon.len = 0;
+        } else if let Some(snapped) = &snapped {
+            polygon.len = 3;
+            polygon.vertices[..3].copy_from_slice(&corners.map(|corner| snapped[corner]));
+        } else {
+            *polygon = frustum.clip(axis, corners.map(|corner| mesh.corners[corner]));
         }
     }
 }
