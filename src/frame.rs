@@ -84,8 +84,6 @@ pub fn face(triangle: u32) -> u32 {
 
 /// A picture, and the data that the systems derive for all cuboids together. Its memory is reused for the next picture.
 pub struct Frame {
-    /// The camera and projection of this frame.
-    pub lens: Lens,
     keep: Keep,
     workers: Workers,
     buffers: Buffers,
@@ -116,7 +114,6 @@ impl Frame {
     /// An empty frame.
     pub fn new(keep: Keep, workers: Workers) -> Self {
         Frame {
-            lens: Lens::default(),
             keep,
             scratch: iter::repeat_with(Default::default)
                 .take(workers.threads())
@@ -126,6 +123,11 @@ impl Frame {
             list: DrawList::default(),
             counts: Counts::default(),
         }
+    }
+
+    /// The camera and projection of this frame.
+    pub fn lens(&self) -> &Lens {
+        &self.list.rays.lens
     }
 
     /// The lights of this frame.

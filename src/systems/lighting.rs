@@ -33,7 +33,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             continue;
         }
         let surface = Surface::new(material, &frame.list.illumination, transform.position);
-        colors.0 = vertex_colors(&surface, transform, mesh, normals, &frame.lens);
+        colors.0 = vertex_colors(&surface, transform, mesh, normals, frame.lens());
         frame.count_vertices(surface.powers());
     }
 }

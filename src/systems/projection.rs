@@ -22,7 +22,7 @@ pub fn run(world: &mut World, _view: &View, frame: &mut Frame) {
     for (transform, mesh, projected) in
         world.query_mut::<(&WorldTransform, &Mesh, &mut Projected)>()
     {
-        project(transform, mesh, &frame.lens, projected);
+        project(transform, mesh, frame.lens(), projected);
     }
 }
 

@@ -23,7 +23,6 @@ use hecs::World;
 use crate::components::View;
 use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::affine::Affine;
-use crate::shading::face::Rays;
 use crate::shading::square::MAX_SIDE;
 use crate::simd::{dispatch, inlined};
 
@@ -36,11 +35,9 @@ const DEPTH_TIE: f64 = 1e-11;
 /// picture. Then, in each strip, compares depths and shades.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     let level = frame.workers().level();
-    let list = &mut frame.list;
-    (list.rays, list.tolerance) = (Rays::new(&frame.lens), view.tolerance);
-    list.fill(level, world, view);
-    list.sort(view.size[1]);
-    frame.paint(view.background, |list, band, scratch, counts| {
+    frame.list.fill(level, world, view);
+    frame.list.sort(view.size[1]);
+    frame.paint(view.background, |list, band, scratch| {
         for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
             dispatch!(level, simd => compare(simd, list, strip, &rows, band));

@@ -1,14 +1,15 @@
-//! Computes the lens of a view: the camera's axes, near plane and scale, once per frame.
+//! Computes the lens of a view, which is the camera's axes, near plane and scale, and its rays, once per frame.
 
 use glam::DVec3;
 use hecs::World;
 
 use crate::components::{Lens, Projection, View};
 use crate::frame::Frame;
+use crate::shading::face::Rays;
 
-/// Overwrites the frame's [`Lens`].
+/// Overwrites the frame's [`Rays`] and their [`Lens`].
 pub fn run(_world: &mut World, view: &View, frame: &mut Frame) {
-    frame.lens = Lens::new(view);
+    frame.list.rays = Rays::new(&Lens::new(view));
 }
 
 impl Lens {

@@ -21,6 +21,7 @@ impl DrawList {
     /// Lists the cuboids that have visible faces, and these faces.
     pub fn fill(&mut self, level: Level, world: &mut World, view: &View) {
         self.clear();
+        self.tolerance = view.tolerance;
         for (order, transform, mesh, material, own, normals, colors, projected) in world
             .query_mut::<(
                 &FileOrder,

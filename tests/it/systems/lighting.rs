@@ -3,18 +3,18 @@
 use glam::{DVec3, dvec3};
 use hecs::World;
 use shadetrade::components::{
-    Illumination, Lens, Light, LightKind, Normals, PointLight, Projection, ShadingMode,
-    VertexColors, View,
+    Illumination, Light, LightKind, Normals, PointLight, Projection, ShadingMode, VertexColors,
+    View,
 };
 use shadetrade::frame::Frame;
-use shadetrade::systems::lighting;
+use shadetrade::systems::{lighting, viewpoint};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, place, read, signs};
 use crate::support::scene::spawn_cuboid;
 
 fn run(world: &mut World, view: &View) -> Frame {
     let mut frame = empty_frame();
-    frame.lens = Lens::new(view);
+    viewpoint::run(world, view, &mut frame);
     lighting::run(world, view, &mut frame);
     frame
 }

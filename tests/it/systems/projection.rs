@@ -4,7 +4,7 @@ use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
 use shadetrade::components::{Lens, Mesh, Polygon, Projected, Projection, View, WorldTransform};
 use shadetrade::frame::Keep;
-use shadetrade::systems::projection;
+use shadetrade::systems::{projection, viewpoint};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};
 use crate::support::random::Random;
@@ -20,7 +20,7 @@ fn spawn(world: &mut World, position: DVec3, size: DVec3) -> Entity {
 
 fn run(world: &mut World, view: &View) {
     let mut frame = empty_frame();
-    frame.lens = Lens::new(view);
+    viewpoint::run(world, view, &mut frame);
     projection::run(world, view, &mut frame);
 }
 

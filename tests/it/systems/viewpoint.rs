@@ -15,7 +15,7 @@ use crate::support::records;
 fn run(view: &View) -> Lens {
     let mut frame = empty_frame();
     viewpoint::run(&mut World::new(), view, &mut frame);
-    frame.lens
+    *frame.lens()
 }
 
 /// Six units above its target.
