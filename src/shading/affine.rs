@@ -41,10 +41,3 @@ impl<T> Affine<T> {
         Affine { centre, dx, dy }
     }
 }
-
-impl Affine<f64> {
-    /// The value at the middle, and its changes per unit of x and of y.
-    pub fn terms(&self) -> [f64; 3] {
-        [self.centre, self.dx, self.dy]
-    }
-}

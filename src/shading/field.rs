@@ -44,12 +44,12 @@ impl<S: Simd> Extents<S> {
     /// An affine number on the squares: its value at the middle, and its changes from there to the outermost covered pixel
     /// centres, right and down.
     #[inline(always)]
-    pub fn affine(&self, [centre, dx, dy]: [f64; 3]) -> [f64x4<S>; 3] {
+    pub fn affine(&self, number: &Affine<f64>) -> [f64x4<S>; 3] {
         let [x, y] = self.middle;
         [
-            x * dx + y * dy + centre,
-            self.half[0] * dx,
-            self.half[1] * dy,
+            x * number.dx + y * number.dy + number.centre,
+            self.half[0] * number.dx,
+            self.half[1] * number.dy,
         ]
     }
 }

@@ -100,19 +100,18 @@ impl<'a> Gouraud<'a> {
         tile: &mut TileColors,
     ) -> (Option<Interpolant<S>>, u64) {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
-        let [middle, ..] = extents.affine(self.face.w.terms());
+        let [middle, ..] = extents.affine(&self.face.w);
         let inverse = 1.0 / middle;
-        let scaled = inlined!(|terms: [f64; 3]| {
-            let affine = extents.affine(terms);
+        let scaled = inlined!(|number: &Affine<f64>| {
+            let affine = extents.affine(number);
             three!(|term| affine[term] * inverse)
         });
-        let [_, e, g] = scaled(self.face.w.terms());
-        let before = scaled(self.face.diagonal.terms());
+        let [_, e, g] = scaled(&self.face.w);
+        let before = scaled(&self.face.diagonal);
         let change = before[1].abs() + before[2].abs();
         let meets = [before[0].simd_gt(-change), before[0].simd_lt(change)];
         let colors = two!(|triangle| three!(|channel| {
-            let Affine { centre, dx, dy } = &self.colors[triangle];
-            scaled([centre[channel], dx[channel], dy[channel]])
+            scaled(&self.colors[triangle].map(|color| color[channel]))
         }));
         let zero = splat(0.0);
         let mut largest = zero;

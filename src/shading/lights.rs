@@ -104,7 +104,7 @@ impl Phong<'_> {
         interpolate: bool,
         tile: &mut TileLights,
     ) -> (f64x4<S>, u64) {
-        let [middle, right, down] = extents.affine(self.face.w.terms());
+        let [middle, right, down] = extents.affine(&self.face.w);
         let least = middle - right.abs() - down.abs();
         let simd = least.token();
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
