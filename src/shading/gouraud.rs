@@ -13,7 +13,7 @@ use super::bound;
 use super::face::Face;
 use super::field::{Extents, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::LaneLayout;
+use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
@@ -35,10 +35,10 @@ pub struct TileColors {
     before: [[f32; 4]; 3],
     /// By triangle and channel.
     colors: [[[[f32; 4]; 3]; 3]; 2],
-    /// The sets of squares, a bit each, that meet each triangle.
-    meets: [u64; 2],
-    /// The set of squares on which levels in f32 keep the tolerance.
-    pub in_f32: u64,
+    /// The squares that meet each triangle.
+    meets: [Squares; 2],
+    /// Where levels in f32 keep the tolerance.
+    pub in_f32: Squares,
 }
 
 impl TileColors {
@@ -98,7 +98,7 @@ impl<'a> Gouraud<'a> {
         extents: &Extents<S>,
         interpolate: bool,
         tile: &mut TileColors,
-    ) -> (Option<Interpolant<S>>, u64) {
+    ) -> (Option<Interpolant<S>>, Squares) {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let [middle, ..] = extents.affine(&self.face.w);
         let inverse = 1.0 / middle;

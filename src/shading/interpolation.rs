@@ -13,6 +13,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
+use super::lanes::{Squares, has};
 use super::rows::{Curve, Ramp};
 use super::square::Square;
 use super::{TileKind, U};
@@ -91,8 +92,8 @@ pub struct Interpolant<S: Simd> {
     crossing: [f64x4<S>; 3],
     /// None where the budget does not suffice or a sample is not a number.
     pub kinds: [Option<TileKind>; 4],
-    /// The set of squares, a bit each, that are drawn in multiples of 1/256 level.
-    fixed: u64,
+    /// The squares that are drawn in multiples of 1/256 level.
+    fixed: Squares,
 }
 
 impl<S: Simd> Interpolant<S> {
@@ -137,15 +138,14 @@ impl<S: Simd> Interpolant<S> {
         let crosses = crosses.to_bitmask();
         let curved = error.simd_gt(allowed).to_bitmask();
         let kinds = four!(|index| {
-            let is = |set: u64| set >> index & 1 == 1;
-            let kind = if is(crosses) {
+            let kind = if has(crosses, index) {
                 TileKind::Terminator
-            } else if is(curved) {
+            } else if has(curved, index) {
                 TileKind::Quadratic
             } else {
                 TileKind::Linear
             };
-            is(possible).then_some(kind)
+            has(possible, index).then_some(kind)
         });
         Interpolant {
             terms,
@@ -159,7 +159,7 @@ impl<S: Simd> Interpolant<S> {
     #[inline(always)]
     pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
         let is_linear = self.kinds[index] == Some(TileKind::Linear);
-        (is_linear && self.fixed >> index & 1 == 1).then(|| {
+        (is_linear && has(self.fixed, index)).then(|| {
             Ramp::new(
                 simd,
                 &self.color(index, square),
@@ -174,7 +174,7 @@ impl<S: Simd> Interpolant<S> {
     pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
         let crossing = (self.kinds[index] == Some(TileKind::Terminator))
             .then(|| three!(|channel| self.crossing[channel].as_array()[index] as f32));
-        let fixed = self.fixed >> index & 1 == 1;
+        let fixed = has(self.fixed, index);
         let color = self.color(index, square);
         Curve::new(simd, &color, square.first(), fixed, crossing)
     }

@@ -13,6 +13,14 @@ pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// A set of the four squares, a bit each.
+pub type Squares = u64;
+
+/// Whether a square is in a set.
+pub fn has(set: Squares, square: usize) -> bool {
+    set >> square & 1 == 1
+}
+
 /// Which squares the sixteen lanes belong to.
 #[derive(Clone, Copy)]
 pub enum LaneLayout {
@@ -23,12 +31,12 @@ pub enum LaneLayout {
 }
 
 impl LaneLayout {
-    /// Whether any lane is in a set of squares, a bit each.
+    /// Whether any lane is in a set of squares.
     #[inline(always)]
-    pub fn any(self, set: u64) -> bool {
+    pub fn any(self, set: Squares) -> bool {
         match self {
             LaneLayout::Nodes => set != 0,
-            LaneLayout::Pixels(square) => set >> square & 1 == 1,
+            LaneLayout::Pixels(square) => has(set, square),
         }
     }
 
@@ -55,7 +63,7 @@ impl LaneLayout {
 
     /// A number in the lanes of a set of squares, zero elsewhere; one lane at least is in the set.
     #[inline(always)]
-    pub fn within<S: Simd>(self, simd: S, set: u64, number: f32) -> f32x16<S> {
+    pub fn within<S: Simd>(self, simd: S, set: Squares, number: f32) -> f32x16<S> {
         let number = f32x16::splat(simd, number);
         match self {
             LaneLayout::Nodes => {

@@ -21,7 +21,7 @@ use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::field::{Extents, Field};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{LaneLayout, dot};
+use super::lanes::{LaneLayout, Squares, dot, has};
 use super::phong::Phong;
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
@@ -32,17 +32,17 @@ use crate::simd::{four, inlined, three};
 /// has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
 const UNSURE: f64 = 1.0;
 
-/// A light that may light at least one of four squares. Sets are of these squares, a bit each.
+/// A light that may light at least one of four squares.
 #[derive(Clone, Copy, Debug)]
 pub struct TileLight {
     /// Its index among the face's lights.
     pub light: usize,
-    /// Where n.l <= 0 all over.
-    pub dark: u64,
+    /// Where n.l may be above 0.
+    pub reaches: Squares,
     /// Where its highlight is drawn.
-    pub shines: u64,
+    pub shines: Squares,
     /// Where n.l may change its sign and its highlight is not drawn. An interpolated square may have one such light.
-    pub crosses: u64,
+    pub crosses: Squares,
     /// w (L - P), scaled to length one at the middle of each square.
     pub vector: [[[f32; 4]; 3]; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
@@ -57,16 +57,16 @@ pub struct TileLights {
     pub normal: [[[f32; 4]; 3]; 3],
     pub eye: [[[f32; 4]; 3]; 3],
     /// Where any highlight is drawn.
-    pub shines: u64,
-    /// The set of squares on which levels in f32 keep the tolerance.
-    pub in_f32: u64,
+    pub shines: Squares,
+    /// Where levels in f32 keep the tolerance.
+    pub in_f32: Squares,
 }
 
 impl TileLights {
-    /// The number of highlights that are evaluated at a pixel of a square in f32.
-    pub fn highlights(&self, index: usize) -> usize {
-        let drawn = self.lights.iter().filter(|on| on.shines >> index & 1 == 1);
-        drawn.count()
+    /// The lights whose highlights are evaluated at a pixel of a square in f32.
+    pub fn highlights(&self, index: usize) -> impl Iterator<Item = &TileLight> {
+        let lights = self.lights.iter();
+        lights.filter(move |on| has(on.shines, index))
     }
 }
 
@@ -79,7 +79,7 @@ impl Phong<'_> {
         extents: &Extents<S>,
         interpolate: bool,
         tile: &mut TileLights,
-    ) -> (Option<Interpolant<S>>, u64) {
+    ) -> (Option<Interpolant<S>>, Squares) {
         let (budget, promising) = self.classify(extents, interpolate, tile);
         let interpolant = if budget.simd_gt(0.0).any_true() {
             Some(self.sample(simd, tile, budget))
@@ -91,8 +91,8 @@ impl Phong<'_> {
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
     pub fn has_signs(&self, tile: &TileLights, index: usize) -> bool {
-        let mut drawn = tile.lights.iter().filter(|on| on.shines >> index & 1 == 1);
-        drawn.all(|on| on.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
+        let mut highlights = tile.highlights(index);
+        highlights.all(|on| on.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
     /// Classifies the lights on four squares. Returns the budget of each square, which is the tolerance minus all error bounds,
@@ -103,7 +103,7 @@ impl Phong<'_> {
         extents: &Extents<S>,
         interpolate: bool,
         tile: &mut TileLights,
-    ) -> (f64x4<S>, u64) {
+    ) -> (f64x4<S>, Squares) {
         let [middle, right, down] = extents.affine(&self.face.w);
         let least = middle - right.abs() - down.abs();
         let simd = least.token();
@@ -172,7 +172,7 @@ impl Phong<'_> {
             tile.shines |= shines.to_bitmask();
             tile.lights.push(TileLight {
                 light: index,
-                dark: dark.to_bitmask(),
+                reaches: (!dark).to_bitmask(),
                 shines: shines.to_bitmask(),
                 crosses: crosses.to_bitmask(),
                 vector: to_light.squares(),
@@ -231,14 +231,14 @@ impl Phong<'_> {
         };
         let [red, green, blue] = three!(|channel| f32x16::splat(simd, self.ambient[channel]));
         let mut levels = [red, green, blue, zero];
-        for on in tile.lights.iter().filter(|on| at.any(!on.dark & 0b1111)) {
+        for on in tile.lights.iter().filter(|on| at.any(on.reaches)) {
             let light = &self.lights[on.light];
             let l = vector(&on.vector);
             let inverse = 1.0 / (n2 * dot(&l, &l)).sqrt();
             let cosine = dot(&n, &l) * inverse;
             if light.most[0] > 0.0 {
                 let lit = cosine.max(zero);
-                let (diffuse, mut set) = (light.diffuse, !on.dark & 0b1111);
+                let (diffuse, mut set) = (light.diffuse, on.reaches);
                 if let LaneLayout::Nodes = at {
                     set &= !on.crosses;
                     levels[3] += cosine * at.within(simd, on.crosses, 1.0);

@@ -7,7 +7,7 @@ use super::face::Face;
 use super::field::Extents;
 use super::gouraud::{Gouraud, TileColors};
 use super::interpolation::Interpolant;
-use super::lanes::LaneLayout;
+use super::lanes::{LaneLayout, Squares, has};
 use super::lights::TileLights;
 use super::phong::{FaceLight, Phong};
 use super::pixels::Pixels;
@@ -25,9 +25,8 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for evaluation. Returns their interpolant, and the set of squares, a bit each, whose quarters are
-    /// worth trying. There is no interpolant if `interpolate` is false, the method is exact, or the bounds of Phong exceed the
-    /// tolerance on all four.
+    /// Prepares four squares for evaluation. Returns their interpolant, and the squares whose quarters are worth trying. There is
+    /// no interpolant if `interpolate` is false, the method is exact, or the bounds of Phong exceed the tolerance on all four.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &self,
@@ -125,7 +124,7 @@ impl Shader<'_> {
             Shader::Phong(_) => scratch.tile.in_f32,
             Shader::UnitVectors(_) => 0,
         };
-        squares >> index & 1 == 1
+        has(squares, index)
     }
 
     /// Counts pixels that were evaluated on the square at `index`, and returns how.
@@ -139,7 +138,7 @@ impl Shader<'_> {
         let in_f32 = self.in_f32(index, scratch);
         let (model, powers) = match self {
             Shader::Gouraud(_) => (0, 0),
-            Shader::Phong(_) if in_f32 => (1, scratch.tile.highlights(index)),
+            Shader::Phong(_) if in_f32 => (1, scratch.tile.highlights(index).count()),
             Shader::Phong(phong) => (1, phong.surface.powers()),
             Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
         };
