@@ -88,9 +88,9 @@ pub struct Frame {
     workers: Workers,
     buffers: Buffers,
     pub(crate) list: DrawList,
-    /// The memory and the counts of each thread.
-    scratch: Vec<(Scratch, Counts)>,
-    counts: Counts,
+    /// One per thread.
+    scratch: Vec<Scratch>,
+    pub(crate) counts: Counts,
 }
 
 /// The buffers of some rows of a picture. One that the frame does not keep is empty.
@@ -174,12 +174,6 @@ impl Frame {
         self.counts
     }
 
-    /// Counts evaluations of the model at the eight corners of a cuboid, with `powers` specular powers each.
-    pub(crate) fn count_vertices(&mut self, powers: usize) {
-        self.counts.model_evaluations += 8;
-        self.counts.specular_evaluations += 8 * powers as u64;
-    }
-
     /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. `deep` adds a depth
     /// buffer.
     ///
@@ -227,7 +221,7 @@ impl Frame {
     pub(crate) fn paint(
         &mut self,
         background: DVec3,
-        draw: impl Fn(&DrawList, &mut Band, &mut Scratch, &mut Counts) + Sync,
+        draw: impl Fn(&DrawList, &mut Band, &mut Scratch) + Sync,
     ) {
         let (buffers, list) = (&mut self.buffers, &mut self.list);
         // The depths of a single cuboid are not needed.
@@ -261,9 +255,9 @@ impl Frame {
             let (band, cuts) = &mut *rest.lock().unwrap_or_else(PoisonError::into_inner);
             cuts.next().map(|row| band.take(*row))
         };
-        let work = |(scratch, counts): &mut (Scratch, Counts)| {
+        let work = |scratch: &mut Scratch| {
             while let Some(mut band) = next() {
-                draw(list, &mut band, scratch, counts);
+                draw(list, &mut band, scratch);
             }
         };
         match &self.workers.pool {
@@ -273,8 +267,8 @@ impl Frame {
             }
             _ => work(&mut self.scratch[0]),
         }
-        for (_, counts) in &mut self.scratch {
-            self.counts += std::mem::take(counts);
+        for scratch in &mut self.scratch {
+            self.counts += std::mem::take(&mut scratch.tiles.counts);
         }
     }
 }

@@ -51,7 +51,7 @@ mod surface;
 pub mod unit_vectors;
 
 pub use self::method::{METHODS, Method};
-pub use self::shader::{Scratch, Shader};
+pub use self::shader::{Scratch, Shader, TileScratch};
 pub use self::surface::Surface;
 
 use std::ops::AddAssign;
@@ -121,6 +121,14 @@ pub struct Counts {
     /// a pixel of it is seen, since the strips of a frame may belong to different threads.
     #[serde(skip)]
     pub tiles: [u64; TileKind::ALL.len()],
+}
+
+impl Counts {
+    /// Adds tiles of a kind, with this number of pixels in all.
+    pub fn add(&mut self, kind: TileKind, tiles: u64, pixels: usize) {
+        self.tiles[kind as usize] += tiles;
+        self.covered_pixels += pixels as u64;
+    }
 }
 
 impl AddAssign for Counts {

@@ -12,7 +12,7 @@ use super::lights::TileLights;
 use super::phong::{FaceLight, Phong};
 use super::pixels::Pixels;
 use super::rows::{Pointwise, Rows};
-use super::square::{MIN_SIDE, Square};
+use super::square::Square;
 use super::unit_vectors::UnitVectors;
 use super::{Counts, TileKind};
 use crate::simd::{inlined, outlined, two};
@@ -33,9 +33,9 @@ impl Shader<'_> {
         simd: S,
         extents: &Extents<S>,
         interpolate: bool,
-        scratch: &mut Scratch,
-    ) -> (Option<Interpolant<S>>, u64) {
-        let Scratch { tile, colors, .. } = scratch;
+        scratch: &mut TileScratch,
+    ) -> (Option<Interpolant<S>>, Squares) {
+        let TileScratch { tile, colors, .. } = scratch;
         // The calls with a constant `false` are compiled without bounds and samples, which saves 5 % of the instructions of
         // many small faces.
         match self {
@@ -54,26 +54,23 @@ impl Shader<'_> {
     }
 
     /// Evaluates the listed pixels of the square at `index` of those prepared last: in f32 where that keeps the tolerance, else
-    /// in f64. Returns false, and evaluates none, if that may be cheaper on the quarters of the square.
+    /// in f64.
     pub fn evaluate<S: Simd>(
         &self,
         simd: S,
         square: &Square,
         index: usize,
-        scratch: &mut Scratch,
-    ) -> bool {
+        scratch: &mut TileScratch,
+    ) {
         let in_f32 = self.in_f32(index, scratch);
         let (pixels, tile, colors) = (&mut scratch.pixels, &scratch.tile, &scratch.colors);
         if in_f32 {
             let levels = inlined!(|xy| self.levels(simd, (tile, colors), index, xy));
             outlined!(simd, pixels.evaluate(simd, square.half(), levels));
-        } else if square.side > MIN_SIDE {
-            return false;
         }
         let (middle, origin) = (square.middle(), self.face().rays.lens.half);
         let middle = two!(|axis| middle[axis] - origin[axis]);
         pixels.evaluate_f64(middle, !in_f32, |x, y| self.levels_f64(x, y));
-        true
     }
 
     /// The rows of a square that is covered all over, if f32 suffices for all of its pixels. The levels are those of
@@ -84,7 +81,7 @@ impl Shader<'_> {
         simd: S,
         square: &Square,
         index: usize,
-        scratch: &Scratch,
+        scratch: &TileScratch,
     ) -> Option<impl Rows<S>> {
         let (tile, colors) = (&scratch.tile, &scratch.colors);
         let has_signs = match self {
@@ -118,7 +115,7 @@ impl Shader<'_> {
     }
 
     /// Whether levels in f32 keep the tolerance on the square at `index`.
-    fn in_f32(&self, index: usize, scratch: &Scratch) -> bool {
+    pub fn in_f32(&self, index: usize, scratch: &TileScratch) -> bool {
         let squares = match self {
             Shader::Gouraud(_) => scratch.colors.in_f32,
             Shader::Phong(_) => scratch.tile.in_f32,
@@ -128,13 +125,7 @@ impl Shader<'_> {
     }
 
     /// Counts pixels that were evaluated on the square at `index`, and returns how.
-    pub fn count(
-        &self,
-        index: usize,
-        pixels: usize,
-        scratch: &Scratch,
-        counts: &mut Counts,
-    ) -> TileKind {
+    pub fn count(&self, index: usize, pixels: usize, scratch: &mut TileScratch) -> TileKind {
         let in_f32 = self.in_f32(index, scratch);
         let (model, powers) = match self {
             Shader::Gouraud(_) => (0, 0),
@@ -142,8 +133,8 @@ impl Shader<'_> {
             Shader::Phong(phong) => (1, phong.surface.powers()),
             Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
         };
-        counts.model_evaluations += model * pixels as u64;
-        counts.specular_evaluations += (pixels * powers) as u64;
+        scratch.counts.model_evaluations += model * pixels as u64;
+        scratch.counts.specular_evaluations += (pixels * powers) as u64;
         if in_f32 {
             TileKind::PerPixel
         } else {
@@ -170,13 +161,20 @@ impl Shader<'_> {
     }
 }
 
-/// The memory of one face and its squares, reused for the next.
+/// The memory of a thread for one face, reused for the next.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    pub pixels: Pixels,
     /// The lights that reach the face; and the unit vectors to all lights at its corners, for unit vectors.
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,
+    pub tiles: TileScratch,
+}
+
+/// The memory for four squares of a face, and the counts of all work so far.
+#[derive(Debug, Default)]
+pub struct TileScratch {
+    pub pixels: Pixels,
     tile: TileLights,
     colors: TileColors,
+    pub counts: Counts,
 }

@@ -34,7 +34,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         }
         let surface = Surface::new(material, &frame.list.illumination, transform.position);
         colors.0 = vertex_colors(&surface, transform, mesh, normals, frame.lens());
-        frame.count_vertices(surface.powers());
+        frame.counts.model_evaluations += 8;
+        frame.counts.specular_evaluations += 8 * surface.powers() as u64;
     }
 }
 

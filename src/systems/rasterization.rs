@@ -44,7 +44,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             for piece in list.strip(strip) {
                 // A piece is drawn after its last strip in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
-                    list.shade(level, piece, band, scratch, counts);
+                    list.shade(level, piece, band, scratch);
                 }
             }
         }

@@ -7,7 +7,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use crate::frame::{Band, Counts, OUTLINE, face};
+use crate::frame::{Band, OUTLINE, face};
 use crate::shading::TileKind;
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
@@ -21,22 +21,18 @@ pub struct Canvas<'a, 'b> {
     pub spans: Spans<'a>,
     /// The number of the face's first triangle.
     pub id: u32,
-    /// The square that is drawn next, and the number of its pixels that are seen.
-    pub square: Square,
-    pub seen: usize,
-    pub counts: &'a mut Counts,
 }
 
 impl Canvas<'_, '_> {
-    /// The rows of the square that are covered and in the band.
-    fn rows(&self) -> Range<usize> {
-        self.band.held(self.square.covered_rows())
+    /// The rows of a square that are covered and in the band.
+    fn rows(&self, square: &Square) -> Range<usize> {
+        self.band.held(square.covered_rows())
     }
 
     /// The number of pixels of a square that are drawn here: in this band, and not hidden.
     #[inline(always)]
     pub fn seen_pixels(&self, square: &Square) -> usize {
-        let rows = self.band.held(square.covered_rows());
+        let rows = self.rows(square);
         let is_shown = self.band.depths.is_empty() && rows == square.covered_rows();
         if is_shown || square.pixels == 0 {
             return square.pixels;
@@ -53,25 +49,25 @@ impl Canvas<'_, '_> {
         seen.sum()
     }
 
-    /// Whether all pixels of the square are drawn, as bytes.
-    pub fn is_whole(&self) -> bool {
-        !self.band.pixels.is_empty() && self.seen == self.square.side * self.square.side
+    /// Whether all pixels of a square are drawn, as bytes; `seen` is the number of those that are drawn.
+    pub fn is_whole(&self, square: &Square, seen: usize) -> bool {
+        !self.band.pixels.is_empty() && seen == square.side * square.side
     }
 
-    /// Lists the pixels of the square at which the piece is visible. Returns the number of strips that these pixels lie in.
+    /// Lists the pixels of a square at which the piece is visible. Returns the number of strips that these pixels lie in.
     #[inline(always)]
-    pub fn list<S: Simd>(&self, simd: S, pixels: &mut Pixels) -> u64 {
+    pub fn list<S: Simd>(&self, simd: S, square: &Square, pixels: &mut Pixels) -> u64 {
         pixels.count = 0;
-        let [left, top] = self.square.first().map(|first| first as f32);
+        let [left, top] = square.first().map(|first| first as f32);
         let (mut strips, mut last) = (0, None);
-        for (row, span) in self.spans.clipped(self.rows(), self.square.columns) {
+        for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             if span.is_empty() {
                 continue;
             }
-            let y = top + (row - self.square.corner[1]) as i32 as f32;
+            let y = top + (row - square.corner[1]) as i32 as f32;
             let before = pixels.count;
             for first in span.clone().step_by(16) {
-                let x = left + (first - self.square.corner[0]) as i32 as f32;
+                let x = left + (first - square.corner[0]) as i32 as f32;
                 let mut seen = self.seen_lanes(simd, first, row, first..span.end.min(first + 16));
                 // Each run of seen pixels.
                 while seen != 0 {
@@ -92,7 +88,6 @@ impl Canvas<'_, '_> {
     /// Draws listed pixels.
     #[inline(always)]
     pub fn draw_pixels<S: Simd>(&mut self, simd: S, pixels: &Pixels) {
-        self.counts.covered_pixels += pixels.count as u64;
         if self.band.pixels.is_empty() {
             for (index, levels) in pixels.levels() {
                 self.band.levels[index] = levels;
@@ -102,28 +97,21 @@ impl Canvas<'_, '_> {
         }
     }
 
-    /// Counts the square as `tiles` tiles of a kind. Records the kind and the visible triangles if the frame keeps them.
-    pub fn finish(&mut self, kind: TileKind, tiles: u64, drawn: &Face) {
-        self.counts.tiles[kind as usize] += tiles;
-        if !self.band.kinds.is_empty() {
-            self.mark(kind, drawn);
-        }
-    }
-
+    /// Records the kind of a square and the visible triangles, if the frame keeps them.
     #[inline(never)]
-    fn mark(&mut self, kind: TileKind, drawn: &Face) {
-        let Square {
-            corner, columns, ..
-        } = self.square;
+    pub fn mark(&mut self, square: &Square, kind: TileKind, drawn: &Face) {
+        if self.band.kinds.is_empty() {
+            return;
+        }
         let origin = drawn.rays.lens.half;
-        for (row, span) in self.spans.clipped(self.rows(), columns) {
+        for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             for column in span {
                 let pixel = self.band.index(column, row);
                 if face(self.band.triangles[pixel]) == face(self.id) {
                     let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - origin[axis]);
                     let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
                     self.band.triangles[pixel] = self.id + second;
-                    let edge = row == corner[1] || column == corner[0];
+                    let edge = row == square.corner[1] || column == square.corner[0];
                     self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
                 }
             }
@@ -132,22 +120,17 @@ impl Canvas<'_, '_> {
 
     /// Writes all pixels of a square that nothing hides, as bytes.
     #[inline(always)]
-    fn draw_whole<S: Simd>(&mut self, rows: &mut impl Rows<S>) {
-        let Square {
-            corner: [left, top],
-            side,
-            ..
-        } = self.square;
+    pub fn draw_whole<S: Simd>(&mut self, square: &Square, rows: &mut impl Rows<S>) {
+        let [left, top] = square.corner;
         let start = self.band.index(0, top);
-        for part in 0..side / 16 {
+        for part in 0..square.side / 16 {
             rows.go_to(part);
             let first = left + 16 * part;
             let lines = self.band.pixels[start..].chunks_exact_mut(self.band.width);
-            for (row, line) in lines.take(side).enumerate() {
+            for (row, line) in lines.take(square.side).enumerate() {
                 line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
             }
         }
-        self.counts.covered_pixels += self.square.pixels as u64;
     }
 
     /// A bit for each of the sixteen pixels from `first` in a row: whether `span` covers it and it shows this face.
@@ -171,15 +154,21 @@ impl Canvas<'_, '_> {
         seen & covered
     }
 
-    /// Draws the seen pixels of the square with the colours of these rows.
+    /// Draws the seen pixels of a square, of this number, with the colours of these rows.
     #[inline(always)]
-    pub fn draw<S: Simd>(&mut self, simd: S, rows: &mut impl Rows<S>) {
-        if self.is_whole() {
-            return self.draw_whole(rows);
+    pub fn draw<S: Simd>(
+        &mut self,
+        simd: S,
+        square: &Square,
+        seen: usize,
+        rows: &mut impl Rows<S>,
+    ) {
+        if self.is_whole(square, seen) {
+            return self.draw_whole(square, rows);
         }
-        let held = self.rows();
-        let [left, top] = self.square.corner;
-        for part in self.square.parts() {
+        let held = self.rows(square);
+        let [left, top] = square.corner;
+        for part in square.parts() {
             rows.go_to(part);
             let first = left + 16 * part;
             for (row, span) in self.spans.clipped(held.clone(), [first, first + 16]) {
@@ -187,7 +176,6 @@ impl Canvas<'_, '_> {
                     continue;
                 }
                 let seen = self.seen_lanes(simd, first, row, span);
-                self.counts.covered_pixels += u64::from(seen.count_ones());
                 let start = self.band.index(first, row);
                 let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);
                 if self.band.pixels.is_empty() {

@@ -8,14 +8,15 @@ use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
-use crate::frame::{Band, Counts, DrawList, Object, Piece};
+use crate::frame::{Band, DrawList, Object, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
+use crate::shading::lanes::has;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Scratch, Shader, Surface};
+use crate::shading::{Scratch, Shader, Surface, TileKind, TileScratch};
 use crate::simd::{dispatch, four, outlined};
 
 /// The least number of pixels of four squares for which bounds are computed. Bounds cost as much as the evaluation of about 500
@@ -25,14 +26,12 @@ const WORTHWHILE: usize = 768;
 
 impl DrawList {
     /// Draws the pixels of a band in which a piece is seen.
-    pub fn shade(
-        &self,
-        level: Level,
-        piece: &Piece,
-        band: &mut Band,
-        scratch: &mut Scratch,
-        counts: &mut Counts,
-    ) {
+    pub fn shade(&self, level: Level, piece: &Piece, band: &mut Band, scratch: &mut Scratch) {
+        let Scratch {
+            lights,
+            to_lights,
+            tiles: scratch,
+        } = scratch;
         let spans = self.spans(piece);
         // A piece that fits into the smallest square is drawn as one.
         let small = Square::around(&spans);
@@ -40,12 +39,11 @@ impl DrawList {
             band,
             spans,
             id: piece.id,
-            square: small.unwrap_or_default(),
-            seen: 0,
-            counts,
         };
-        let strips = match small {
-            Some(_) => dispatch!(level, simd => canvas.list(simd, &mut scratch.pixels)),
+        let strips = match &small {
+            Some(square) => {
+                dispatch!(level, simd => canvas.list(simd, square, &mut scratch.pixels))
+            }
             None => 1,
         };
         if strips == 0 {
@@ -58,18 +56,20 @@ impl DrawList {
             object.half,
             &self.rays,
         );
-        let mut lights = std::mem::take(&mut scratch.lights);
-        let mut to_lights = std::mem::take(&mut scratch.to_lights);
-        let shader = &self.shader(object, &face, &mut lights, &mut to_lights);
+        let shader = &self.shader(object, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], self.rays.lens.half);
                 shader.prepare(simd, &extents, false, scratch);
-                canvas.draw_listed(simd, shader, 0, strips, scratch);
+                shader.evaluate(simd, square, 0, scratch);
+                outlined!(simd, canvas.draw_pixels(simd, &scratch.pixels));
+                let pixels = scratch.pixels.count;
+                let kind = shader.count(0, pixels, scratch);
+                scratch.counts.add(kind, strips, pixels);
+                canvas.mark(square, kind, &face);
             }
             None => canvas.draw_face(simd, shader, scratch),
         });
-        (scratch.lights, scratch.to_lights) = (lights, to_lights);
     }
 
     /// The shader of a face, by the mode of its cuboid.
@@ -103,7 +103,7 @@ impl DrawList {
 
 impl Canvas<'_, '_> {
     /// Draws all of the piece that is in the band.
-    fn draw_face<S: Simd>(&mut self, simd: S, shader: &Shader, scratch: &mut Scratch) {
+    fn draw_face<S: Simd>(&mut self, simd: S, shader: &Shader, scratch: &mut TileScratch) {
         let rows = self.band.held(self.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
             let (extent, common) = self.spans.columns(row..row + MAX_SIDE);
@@ -130,7 +130,7 @@ impl Canvas<'_, '_> {
         simd: S,
         shader: &Shader,
         squares: &[Square; 4],
-        scratch: &mut Scratch,
+        scratch: &mut TileScratch,
     ) {
         let seen = outlined!(simd, four!(|index| self.seen_pixels(&squares[index])));
         if seen == [0; 4] {
@@ -141,26 +141,32 @@ impl Canvas<'_, '_> {
         let (interpolant, promising) =
             shader.prepare(simd, &extents, pixels >= WORTHWHILE, scratch);
         let mut cut = [false; 4];
-        for (index, square) in squares.iter().enumerate() {
-            if seen[index] == 0 {
+        for (index, (square, seen)) in squares.iter().zip(seen).enumerate() {
+            if seen == 0 {
                 continue;
             }
-            (self.square, self.seen) = (*square, seen[index]);
-            if let Some(interpolant) = &interpolant
+            let kind = if let Some(interpolant) = &interpolant
                 && let Some(kind) = interpolant.kinds[index]
             {
                 outlined!(simd, {
-                    match interpolant.ramp(simd, index, square) {
-                        Some(mut ramp) => self.draw(simd, &mut ramp),
-                        None => self.draw(simd, &mut interpolant.curve(simd, index, square)),
+                    if let Some(mut ramp) = interpolant.ramp(simd, index, square) {
+                        self.draw(simd, square, seen, &mut ramp);
+                    } else {
+                        let mut curve = interpolant.curve(simd, index, square);
+                        self.draw(simd, square, seen, &mut curve);
                     }
                 });
-                self.finish(kind, 1, shader.face());
+                kind
+            } else if square.side > MIN_SIDE
+                && (has(promising, index) || !shader.in_f32(index, scratch))
+            {
+                cut[index] = true;
+                continue;
             } else {
-                let promising = promising >> index & 1 == 1;
-                cut[index] = square.side > MIN_SIDE && promising
-                    || !self.draw_exactly(simd, shader, index, scratch);
-            }
+                self.draw_exactly(simd, shader, (index, square, seen), scratch)
+            };
+            scratch.counts.add(kind, 1, seen);
+            self.mark(square, kind, shader.face());
         }
         // Last, because this overwrites what is prepared for the four squares.
         for (index, square) in squares.iter().enumerate() {
@@ -170,44 +176,23 @@ impl Canvas<'_, '_> {
         }
     }
 
-    /// Draws one of the four prepared squares pixel by pixel, by rows or from a list. Returns false, and draws nothing, if the
-    /// square is to be cut into quarters.
+    /// Draws one of the four prepared squares pixel by pixel, by rows or from a list.
     fn draw_exactly<S: Simd>(
         &mut self,
         simd: S,
         shader: &Shader,
-        index: usize,
-        scratch: &mut Scratch,
-    ) -> bool {
-        let square = self.square;
-        if self.is_whole()
-            && let Some(mut rows) = shader.rows(simd, &square, index, scratch)
+        (index, square, seen): (usize, &Square, usize),
+        scratch: &mut TileScratch,
+    ) -> TileKind {
+        if self.is_whole(square, seen)
+            && let Some(mut rows) = shader.rows(simd, square, index, scratch)
         {
-            outlined!(simd, self.draw(simd, &mut rows));
-            let kind = shader.count(index, square.pixels, scratch, self.counts);
-            self.finish(kind, 1, shader.face());
-            return true;
-        }
-        outlined!(simd, self.list(simd, &mut scratch.pixels));
-        self.draw_listed(simd, shader, index, 1, scratch)
-    }
-
-    /// Draws the listed pixels of one of the four prepared squares and counts it as `tiles` tiles. Returns false, and draws
-    /// nothing, if that may be cheaper for its quarters.
-    fn draw_listed<S: Simd>(
-        &mut self,
-        simd: S,
-        shader: &Shader,
-        index: usize,
-        tiles: u64,
-        scratch: &mut Scratch,
-    ) -> bool {
-        let drawn = shader.evaluate(simd, &self.square, index, scratch);
-        if drawn {
+            outlined!(simd, self.draw_whole(square, &mut rows));
+        } else {
+            outlined!(simd, self.list(simd, square, &mut scratch.pixels));
+            shader.evaluate(simd, square, index, scratch);
             outlined!(simd, self.draw_pixels(simd, &scratch.pixels));
-            let kind = shader.count(index, scratch.pixels.count, scratch, self.counts);
-            self.finish(kind, tiles, shader.face());
         }
-        drawn
+        shader.count(index, seen, scratch)
     }
 }
