@@ -61,7 +61,7 @@ use super::U;
 use super::field::{Field, positive};
 use super::lanes::dot;
 use super::specular;
-use crate::simd::{four, three, two};
+use crate::simd::{three, two};
 
 /// asin(x) <= this x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
@@ -249,12 +249,9 @@ pub fn power<S: Simd>(shininess: f32, most: f64x4<S>) -> f64x4<S> {
     let simd = most.token();
     // f32 may round 1 - s up, which would make the power smaller.
     let one_minus_cos = positive((1.0 - most) * (1.0 - 2.0 * U)).min(f64x4::splat(simd, 1.0));
-    let mut sixteen = [0.0; 16];
-    for (one_minus_cos, own) in sixteen.iter_mut().zip(one_minus_cos.as_array()) {
-        *one_minus_cos = *own as f32;
-    }
-    let power = specular::power(shininess, f32x16::simd_from(simd, sixteen));
-    let power = f64x4::simd_from(simd, four!(|square| f64::from(power[square])));
+    let repeated = f32x16::from_fn(simd, |lane| one_minus_cos[lane % 4] as f32);
+    let power = specular::power(shininess, repeated);
+    let power = f64x4::from_fn(simd, |square| f64::from(power[square]));
     // A power that is not clamped has an exponent of two of at least -126, so its relative error is at most 126 ln(2) times the
     // 10.2 U of its logarithm (`proofs/power.v`), 5.3e-5; one that is clamped is below 2^-126.
     power * 1.001 + 1e-30

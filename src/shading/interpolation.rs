@@ -49,18 +49,14 @@ pub fn sampled<S: Simd>(
     simd: S,
     sample: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 4],
 ) -> [[[f64x4<S>; 3]; 3]; 4] {
-    let node = NODE as f32;
     // Lanes by node and square; the last four are not used.
-    let mut x = [0.0; 16];
-    x[..4].fill(-node);
-    x[8..12].fill(node);
-    let x = f32x16::simd_from(simd, x);
-    let rows = three!(|row| sample([x, f32x16::splat(simd, [-node, 0.0, node][row])]));
+    let nodes = [-NODE as f32, 0.0, NODE as f32, 0.0];
+    let x = f32x16::from_fn(simd, |lane| nodes[lane / 4]);
+    let rows = three!(|row| sample([x, f32x16::splat(simd, nodes[row])]));
     four!(|channel| {
         let samples = three!(|row| three!(|column| {
             let lanes = rows[row][channel].as_array();
-            let samples = four!(|square| f64::from(lanes[4 * column + square]));
-            f64x4::simd_from(simd, samples)
+            f64x4::from_fn(simd, |square| f64::from(lanes[4 * column + square]))
         }));
         biquadratic(&samples)
     })

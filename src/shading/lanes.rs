@@ -44,11 +44,7 @@ impl LaneLayout {
     #[inline(always)]
     pub fn lanes<S: Simd>(self, simd: S, squares: &[f32; 4]) -> f32x16<S> {
         match self {
-            LaneLayout::Nodes => {
-                let four = f32x4::simd_from(simd, *squares);
-                let eight = four.combine(four);
-                eight.combine(eight)
-            }
+            LaneLayout::Nodes => f32x16::block_splat(f32x4::simd_from(simd, *squares)),
             LaneLayout::Pixels(square) => f32x16::splat(simd, squares[square]),
         }
     }

@@ -45,13 +45,12 @@ impl Pixels {
     /// more time.
     #[inline(always)]
     pub fn extend<S: Simd>(&mut self, simd: S, [x, y]: [f32; 2], index: usize, count: usize) {
-        const LANES: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
         // Lanes beyond the last pixel are overwritten by the next.
         let new = self.count..self.count + 16;
         let right = counted(simd, 0) + x;
         self.offsets[0][new.clone()].copy_from_slice(right.as_slice());
         self.offsets[1][new.clone()].fill(y);
-        let indices = u32x16::simd_from(simd, LANES) + index as u32;
+        let indices = u32x16::from_fn(simd, |lane| lane as u32) + index as u32;
         self.indices[new].copy_from_slice(indices.as_slice());
         self.count += count;
     }

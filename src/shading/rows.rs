@@ -25,10 +25,7 @@ pub trait Rows<S: Simd> {
 /// `from`, `from` + 1, ...
 #[inline(always)]
 pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
-    const LANES: [f32; 16] = [
-        0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
-    ];
-    f32x16::simd_from(simd, LANES) + from as i32 as f32
+    f32x16::from_fn(simd, |lane| lane as f32) + from as i32 as f32
 }
 
 /// 1.5 * 2^15: adding it to a float of size below 2^14 rounds the float to a multiple of 1/256, and the low bits of the sum are

@@ -105,8 +105,7 @@ pub fn covered<S: Simd>(
     first: [i32; 2],
     rows: usize,
 ) -> [u32; SMALL] {
-    const LANES: [i32; SMALL] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
-    let lanes = i32x16::simd_from(simd, LANES);
+    let lanes = i32x16::from_fn(simd, |lane| lane as i32);
     // Twice the signed area of the triangle of a pixel's centre and an edge. It is not negative inside. On a right or bottom
     // edge 1 is subtracted, so that the edge itself is outside. Coordinates are from the centre of the first pixel, so no
     // number exceeds 2^26.

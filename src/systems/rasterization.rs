@@ -91,7 +91,7 @@ fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64],
     let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);
     let start = centre + dy * y;
     let splat = inlined!(|number: f64| f64x8::splat(simd, number));
-    let mut x = splat(left) + f64x8::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+    let mut x = splat(left) + f64x8::from_fn(simd, |lane| lane as f64);
     let (eights, depths) = depths.as_chunks_mut::<8>();
     let (id_eights, ids) = ids.as_chunks_mut::<8>();
     for (olds, ids) in eights.iter_mut().zip(id_eights) {
