@@ -35,7 +35,7 @@ const DEPTH_TIE: f64 = 1e-11;
 /// picture. Then, in each strip, compares depths and shades.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     let level = frame.workers().level();
-    frame.list.fill(level, world, view);
+    dispatch!(level, simd => frame.list.fill(simd, world, view));
     frame.list.sort(view.size[1]);
     frame.paint(view.background, |list, band, scratch| {
         for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {

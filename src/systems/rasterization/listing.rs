@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Simd;
 use glam::DVec3;
 use hecs::World;
 
@@ -14,12 +14,12 @@ use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
 use crate::shading::face::nearness;
 use crate::shading::gloss::Gloss;
-use crate::simd::{dispatch, outlined};
+use crate::simd::outlined;
 use crate::systems::coverage::{SMALL, covered, rows, scan};
 
 impl DrawList {
     /// Lists the cuboids that have visible faces, and these faces.
-    pub fn fill(&mut self, level: Level, world: &mut World, view: &View) {
+    pub fn fill<S: Simd>(&mut self, simd: S, world: &mut World, view: &View) {
         self.clear();
         self.tolerance = view.tolerance;
         for (order, transform, mesh, material, own, normals, colors, projected) in world
@@ -37,7 +37,7 @@ impl DrawList {
             let half = mesh.corners[7];
             let id = 12 * order.0;
             let pieces = self.pieces.len();
-            dispatch!(level, simd => self.list_faces(simd, view.size, id, transform, half, projected));
+            self.list_faces(simd, view.size, id, transform, half, projected);
             if self.pieces.len() == pieces {
                 continue;
             }
@@ -61,7 +61,6 @@ impl DrawList {
     }
 
     /// Lists the visible faces of a cuboid; `id` is the number of its first triangle.
-    #[inline(always)]
     fn list_faces<S: Simd>(
         &mut self,
         simd: S,
