@@ -7,7 +7,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use crate::frame::{Band, OUTLINE, face};
+use crate::frame::{Band, NO_TRIANGLE, OUTLINE, face};
 use crate::shading::TileKind;
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
@@ -19,8 +19,8 @@ use crate::simd::three;
 pub struct Canvas<'a, 'b> {
     pub band: &'a mut Band<'b>,
     pub spans: Spans<'a>,
-    /// The number of the face's first triangle.
-    pub id: u32,
+    /// See [`crate::frame::face`].
+    pub face: u32,
 }
 
 impl Canvas<'_, '_> {
@@ -43,7 +43,7 @@ impl Canvas<'_, '_> {
                 return span.len();
             }
             let ids = self.band.triangles[self.band.indices(row, &span)].iter();
-            let seen = ids.map(|id| u32::from(face(*id) == face(self.id)));
+            let seen = ids.map(|id| u32::from(face(*id) == self.face));
             seen.sum::<u32>() as usize
         });
         seen.sum()
@@ -107,10 +107,10 @@ impl Canvas<'_, '_> {
         for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             for column in span {
                 let pixel = self.band.index(column, row);
-                if face(self.band.triangles[pixel]) == face(self.id) {
+                if face(self.band.triangles[pixel]) == self.face {
                     let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - origin[axis]);
                     let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
-                    self.band.triangles[pixel] = self.id + second;
+                    self.band.triangles[pixel] = 2 * self.face + second;
                     let edge = row == square.corner[1] || column == square.corner[0];
                     self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
                 }
@@ -141,17 +141,15 @@ impl Canvas<'_, '_> {
             return covered;
         }
         let ids = &self.band.triangles[self.band.index(first, row)..];
-        let seen = if let Some(ids) = ids.first_chunk::<16>() {
-            let faces = u32x16::simd_from(simd, *ids) >> 1;
-            let seen = faces.simd_eq(u32x16::splat(simd, face(self.id)));
-            seen.to_bitmask() as u32
-        } else {
+        let ids = ids.first_chunk().copied().unwrap_or_else(|| {
             // The last row of the band ends before.
-            ids.iter().enumerate().fold(0, |seen, (lane, id)| {
-                seen | u32::from(face(*id) == face(self.id)) << lane
-            })
-        };
-        seen & covered
+            let mut sixteen = [NO_TRIANGLE; 16];
+            sixteen[..ids.len()].copy_from_slice(ids);
+            sixteen
+        });
+        let faces = u32x16::simd_from(simd, ids) >> 1;
+        let seen = faces.simd_eq(u32x16::splat(simd, self.face));
+        seen.to_bitmask() as u32 & covered
     }
 
     /// Draws the seen pixels of a square, of this number, with the colours of these rows.

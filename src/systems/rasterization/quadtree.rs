@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
-use crate::frame::{Band, DrawList, Object, Piece};
+use crate::frame::{Band, DrawList, Object, Piece, face};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
@@ -38,7 +38,7 @@ impl DrawList {
         let mut canvas = Canvas {
             band,
             spans,
-            id: piece.id,
+            face: face(piece.id),
         };
         let strips = match &small {
             Some(square) => {
@@ -51,7 +51,7 @@ impl DrawList {
         }
         let object = &self.objects[piece.object];
         let face = Face::new(
-            (piece.id % 12 / 2) as usize,
+            (canvas.face % 6) as usize,
             &object.transform,
             object.half,
             &self.rays,
