@@ -155,14 +155,8 @@ impl<S: Simd> Interpolant<S> {
     #[inline(always)]
     pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
         let is_linear = self.kinds[index] == Some(TileKind::Linear);
-        (is_linear && has(self.fixed, index)).then(|| {
-            Ramp::new(
-                simd,
-                &self.color(index, square),
-                square.first(),
-                square.side,
-            )
-        })
+        (is_linear && has(self.fixed, index))
+            .then(|| Ramp::new(simd, &self.color(index, square), square))
     }
 
     /// The rows of one of the squares, of any kind.
@@ -172,7 +166,7 @@ impl<S: Simd> Interpolant<S> {
             .then(|| three!(|channel| self.crossing[channel].as_array()[index] as f32));
         let fixed = has(self.fixed, index);
         let color = self.color(index, square);
-        Curve::new(simd, &color, square.first(), fixed, crossing)
+        Curve::new(simd, &color, square, fixed, crossing)
     }
 
     /// The channels of one of the squares by power of y and of x, in pixels from its middle.

@@ -47,12 +47,12 @@ pub struct Ramp<S: Simd> {
 }
 
 impl<S: Simd> Ramp<S> {
-    /// `color` by channel and power of y and of x, in pixels from a square's middle; `left` and `top` are
-    /// the first of its pixels from there.
+    /// `color` by channel and power of y and of x, in pixels from a square's middle.
     #[inline(always)]
-    pub fn new(simd: S, color: &[[[f64; 3]; 3]; 4], [left, top]: [f64; 2], side: usize) -> Self {
+    pub fn new(simd: S, color: &[[[f64; 3]; 3]; 4], square: &Square) -> Self {
+        let [left, top] = square.first();
         let mut starts = [[0; MAX_SIDE]; 2];
-        for first in (0..side).step_by(16) {
+        for first in (0..square.side).step_by(16) {
             let y = counted(simd, first) + top as f32;
             // A half is added here once: then the byte is the whole part.
             let pairs = paired(three!(|channel| {
@@ -122,13 +122,12 @@ pub struct Curve<S: Simd> {
 }
 
 impl<S: Simd> Curve<S> {
-    /// `color` by channel, n.l last, and power of y and of x, in pixels from a square's middle; `first` is the first of its
-    /// pixels from there.
+    /// `color` by channel, n.l last, and power of y and of x, in pixels from a square's middle.
     #[inline(always)]
     pub fn new(
         simd: S,
         color: &[[[f64; 3]; 3]; 4],
-        first: [f64; 2],
+        square: &Square,
         fixed: bool,
         crossing: Option<[f32; 3]>,
     ) -> Self {
@@ -141,7 +140,7 @@ impl<S: Simd> Curve<S> {
         Curve {
             color: single,
             terms: [[f32x16::splat(simd, 0.0); 3]; 4],
-            first: first.map(|first| first as f32),
+            first: square.first().map(|first| first as f32),
             fixed,
             crossing,
         }
