@@ -4,6 +4,8 @@
 //! because compiled on its own it would use the baseline instructions. Other functions are marked only if it was
 //! measured to be faster.
 
+use std::mem::discriminant;
+
 use fearless_simd::{Level, Simd};
 
 pub(crate) use fearless_simd::dispatch;
@@ -112,19 +114,12 @@ macro_rules! four {
 
 pub(crate) use {each, four, inlined, outlined, three, two};
 
-/// The name of `level`.
+/// The name of `level`; the last if it has several.
 pub fn name(level: Level) -> &'static str {
-    match level {
-        #[cfg(target_arch = "x86_64")]
-        Level::Sse4_2(_) => "sse4.2",
-        #[cfg(target_arch = "x86_64")]
-        Level::Avx2(_) => "avx2",
-        #[cfg(target_arch = "x86_64")]
-        Level::Avx512(_) => "avx512",
-        #[cfg(target_arch = "aarch64")]
-        Level::Neon(_) => "neon",
-        _ => "fallback",
-    }
+    let is_own = |own: Level| discriminant(&own) == discriminant(&level);
+    let mut names = NAMES.into_iter();
+    let name = names.rfind(|name| named(name).is_some_and(is_own));
+    name.unwrap_or("fallback")
 }
 
 #[cfg(test)]
