@@ -81,12 +81,25 @@ impl Phong<'_> {
         tile: &mut TileLights,
     ) -> (Option<Interpolant<S>>, Squares) {
         let (budget, promising) = self.classify(extents, interpolate, tile);
-        let interpolant = if budget.simd_gt(0.0).any_true() {
-            Some(self.sample(simd, tile, budget))
-        } else {
-            None
-        };
-        (interpolant, promising)
+        if !budget.simd_gt(0.0).any_true() {
+            return (None, promising);
+        }
+        let zero = f64x4::splat(simd, 0.0);
+        let sample = inlined!(|xy| self.levels(simd, tile, LaneLayout::Nodes, xy));
+        let terms = sampled(simd, sample);
+        let mut crossing = [zero; 3];
+        let mut crosses = mask64x4::splat(simd, false);
+        for on in tile.lights.iter().filter(|on| on.crosses != 0) {
+            let own = mask64x4::from_bitmask(simd, on.crosses);
+            let diffuse = self.lights[on.light].diffuse;
+            crossing = three!(|channel| {
+                let levels = f64x4::splat(simd, f64::from(diffuse[channel]));
+                own.select(levels, crossing[channel])
+            });
+            crosses |= own;
+        }
+        let interpolant = Interpolant::new(terms, crossing, crosses, budget);
+        (Some(interpolant), promising)
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -184,26 +197,6 @@ impl Phong<'_> {
         let budget = bounded.select(budget - rounding * LEBESGUE, -one);
         let promising = (steady & unsure.simd_le(UNSURE)).to_bitmask();
         (budget, if interpolate { promising } else { 0 })
-    }
-
-    /// The interpolant of four squares through samples at nine nodes.
-    #[inline(always)]
-    fn sample<S: Simd>(&self, simd: S, tile: &TileLights, budget: f64x4<S>) -> Interpolant<S> {
-        let zero = f64x4::splat(simd, 0.0);
-        let sample = inlined!(|xy| self.levels(simd, tile, LaneLayout::Nodes, xy));
-        let terms = sampled(simd, sample);
-        let mut crossing = [zero; 3];
-        let mut crosses = mask64x4::splat(simd, false);
-        for on in tile.lights.iter().filter(|on| on.crosses != 0) {
-            let own = mask64x4::from_bitmask(simd, on.crosses);
-            let diffuse = self.lights[on.light].diffuse;
-            crossing = three!(|channel| {
-                let levels = f64x4::splat(simd, f64::from(diffuse[channel]));
-                own.select(levels, crossing[channel])
-            });
-            crosses |= own;
-        }
-        Interpolant::new(terms, crossing, crosses, budget)
     }
 
     /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
