@@ -48,9 +48,7 @@ impl Spans<'_> {
 
     /// The covered pixels within some rows of the picture, row by row.
     pub fn within(&self, rows: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let rows = rows.start.max(self.first)..rows.end;
-        let spans = self.clipped(rows, [0, i32::MAX as usize]);
-        spans.filter(|(_, span)| !span.is_empty())
+        self.clipped(rows.clone(), [0, i32::MAX as usize])
     }
 
     /// Which of the spans are those of some rows of the picture.
@@ -62,20 +60,19 @@ impl Spans<'_> {
         start..end.max(start)
     }
 
-    /// The spans of some rows, which all must be there, within the columns `left..right`. A row without such pixels has an empty
-    /// range.
+    /// The same, within the columns `left..right`.
     #[inline(always)]
     pub fn clipped(
         &self,
         rows: Range<usize>,
         [left, right]: [usize; 2],
     ) -> impl Iterator<Item = (usize, Range<usize>)> {
-        let local = self.local(rows.clone());
+        let local = self.local(rows);
+        let rows = self.first + local.start..;
         let spans = self.from[local.clone()].iter().zip(&self.to[local]);
-        (rows.start..).zip(spans.map(move |(&from, &to)| {
-            let (from, to) = (from.max(left as i32), to.min(right as i32));
-            from as usize..to.max(from) as usize
-        }))
+        let spans = spans
+            .map(move |(&from, &to)| from.max(left as i32) as usize..to.min(right as i32) as usize);
+        rows.zip(spans).filter(|(_, span)| !span.is_empty())
     }
 }
 

@@ -61,9 +61,6 @@ impl Canvas<'_, '_> {
         let [left, top] = square.first().map(|first| first as f32);
         let (mut strips, mut last) = (0, None);
         for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
-            if span.is_empty() {
-                continue;
-            }
             let y = top + (row - square.corner[1]) as i32 as f32;
             let before = pixels.count;
             for first in span.clone().step_by(16) {
@@ -170,9 +167,6 @@ impl Canvas<'_, '_> {
             rows.go_to(part);
             let first = left + 16 * part;
             for (row, span) in self.spans.clipped(held.clone(), [first, first + 16]) {
-                if span.is_empty() {
-                    continue;
-                }
                 let seen = self.seen_lanes(simd, first, row, span);
                 let start = self.band.index(first, row);
                 let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);
