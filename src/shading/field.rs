@@ -29,15 +29,12 @@ pub struct Extents<S: Simd> {
 impl<S: Simd> Extents<S> {
     /// Those of four squares; their middles from `origin`, in pixels from the picture's corner.
     #[inline(always)]
-    pub fn new(simd: S, [a, b, c, d]: &[Square; 4], origin: [f64; 2]) -> Self {
-        let lanes = inlined!(|[a, b, c, d]: [[f64; 2]; 4], axis: usize| {
-            f64x4::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]])
-        });
-        let middles = [a.middle(), b.middle(), c.middle(), d.middle()];
-        let halves = [a.half(), b.half(), c.half(), d.half()];
+    pub fn new(simd: S, squares: &[Square; 4], origin: [f64; 2]) -> Self {
+        let middles = four!(|square| squares[square].middle());
+        let halves = four!(|square| squares[square].half());
         Extents {
-            middle: two!(|axis| lanes(middles, axis) - origin[axis]),
-            half: two!(|axis| lanes(halves, axis)),
+            middle: two!(|axis| f64x4::from_fn(simd, |it| middles[it][axis]) - origin[axis]),
+            half: two!(|axis| f64x4::from_fn(simd, |it| halves[it][axis])),
         }
     }
 
