@@ -40,22 +40,16 @@ impl DrawList {
             spans,
             face: face(piece.id),
         };
-        let strips = match &small {
-            Some(square) => {
-                dispatch!(level, simd => canvas.list(simd, square, &mut scratch.pixels))
-            }
-            None => 1,
-        };
+        let strips = small.as_ref().map_or(
+            1,
+            |square| dispatch!(level, simd => canvas.list(simd, square, &mut scratch.pixels)),
+        );
         if strips == 0 {
             return;
         }
         let object = &self.objects[piece.object];
-        let face = Face::new(
-            (canvas.face % 6) as usize,
-            &object.transform,
-            object.half,
-            &self.rays,
-        );
+        let index = (canvas.face % 6) as usize;
+        let face = Face::new(index, &object.transform, object.half, &self.rays);
         let shader = &self.shader(object, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
@@ -80,11 +74,8 @@ impl DrawList {
         lights: &'a mut Vec<FaceLight>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Shader<'a> {
-        let surface = Surface::new(
-            &object.material,
-            &self.illumination,
-            object.transform.position,
-        );
+        let (material, centre) = (&object.material, object.transform.position);
+        let surface = Surface::new(material, &self.illumination, centre);
         let (corners, tolerance) = (&object.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {
