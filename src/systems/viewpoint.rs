@@ -1,4 +1,4 @@
-//! Computes the lens of a view, which is the camera's axes, near plane and scale, and its rays, once per frame.
+//! Computes the lens of a view (the axes of its camera, near plane and scale) and the lines of sight, once per frame.
 
 use glam::DVec3;
 use hecs::World;
