@@ -61,17 +61,13 @@ impl Viewer {
 
 impl Default for Viewer {
     fn default() -> Self {
-        let side = |mode| Side::Method {
-            mode,
-            tolerance: Viewer::TOLERANCE,
-        };
         Viewer {
             camera: None,
             projection: Projection::default(),
             tolerance: Viewer::TOLERANCE,
             budget: None,
             show: ViewMode::Picture,
-            sides: [ShadingMode::Gouraud, ShadingMode::Phong].map(side),
+            sides: Side::gouraud_phong(Viewer::TOLERANCE),
             divider: 0.5,
             turned: 0,
             pixel: None,
@@ -114,6 +110,13 @@ pub enum Side {
     Method { mode: ShadingMode, tolerance: f64 },
     /// Exact Phong in f64, drawn independently of the renderer.
     Reference,
+}
+
+impl Side {
+    /// Gouraud and Phong, both within this tolerance.
+    pub fn gouraud_phong(tolerance: f64) -> [Side; 2] {
+        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
+    }
 }
 
 impl From<Side> for String {

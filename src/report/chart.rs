@@ -8,6 +8,8 @@ use plotters::coord::Shift;
 use plotters::coord::combinators::{BindKeyPoints, LogCoord, WithKeyPoints};
 use plotters::prelude::*;
 
+use super::words::scientific;
+
 pub const INK: RGBColor = RGBColor(0x22, 0x26, 0x2b);
 pub const FAINT: RGBColor = RGBColor(0x6b, 0x72, 0x7a);
 const GRID: RGBColor = RGBColor(0xe4, 0xe6, 0xe9);
@@ -140,7 +142,7 @@ fn label(value: f64) -> String {
     if (0.001..=1000.0).contains(&value) {
         value.to_string()
     } else {
-        format!("{value:.1e}").replace(".0e", "e")
+        scientific(value)
     }
 }
 

@@ -15,6 +15,11 @@ pub fn short(value: impl Into<Option<f64>>) -> String {
     }
 }
 
+/// A number with an exponent and two significant digits or fewer.
+pub fn scientific(value: f64) -> String {
+    format!("{value:.1e}").replace(".0e", "e")
+}
+
 /// An interval as text: a single number if both ends read the same.
 pub fn interval(ends: [f64; 2], text: impl Fn(f64) -> String) -> String {
     let [least, most] = ends.map(text);

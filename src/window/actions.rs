@@ -6,9 +6,9 @@ use egui::{Event, Key, Ui};
 use serde_json::{Value, json};
 
 use super::app::App;
-use super::keys::{self, Action, EXACT_SIDES, TOLERANCES, gouraud_phong};
+use super::keys::{self, Action, EXACT_SIDES, TOLERANCES};
 use crate::components::{
-    Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered,
+    Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered, overwrite,
 };
 use crate::drawing::camera_name;
 use crate::scene::SceneRecord;
@@ -85,7 +85,7 @@ impl App {
             Action::NextCamera => self.next_camera(),
             Action::View(ViewMode::Wipe) => {
                 let tolerance = self.viewer().tolerance;
-                self.wipe(gouraud_phong(tolerance));
+                self.wipe(Side::gouraud_phong(tolerance));
             }
             Action::View(mode) => self.viewer_mut().show = mode,
             Action::WipeExact => self.wipe(EXACT_SIDES),
@@ -132,9 +132,7 @@ impl App {
     /// Shades every cuboid in this mode, whatever time that takes.
     pub(super) fn shade(&mut self, mode: ShadingMode) {
         self.viewer_mut().budget = None;
-        for own in self.scene.world.query_mut::<&mut ShadingMode>() {
-            *own = mode;
-        }
+        overwrite(&mut self.scene.world, &mode);
     }
 
     /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.

@@ -145,11 +145,6 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
 /// The sides of the wipe between the picture and exact Phong.
 pub const EXACT_SIDES: [Side; 2] = [Side::Picture, Side::Reference];
 
-/// The sides of the wipe between Gouraud and Phong, both within this tolerance.
-pub fn gouraud_phong(tolerance: f64) -> [Side; 2] {
-    [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
-}
-
 fn bindings() -> impl Iterator<Item = &'static Binding> {
     BINDINGS.iter().flat_map(|section| section.1)
 }

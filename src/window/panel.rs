@@ -6,11 +6,12 @@ use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollA
 use hecs::Entity;
 
 use super::app::App;
-use super::keys::{Action, EXACT_SIDES, binding, caption, gouraud_phong, keys};
+use super::keys::{Action, EXACT_SIDES, binding, caption, keys};
 use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
-    Camera, Light, LightKind, Name, Projection, ShadingMode, Tab, ViewMode, Viewer, names, ordered,
+    Camera, Light, LightKind, Name, Projection, ShadingMode, Side, Tab, ViewMode, Viewer, names,
+    ordered,
 };
 use crate::drawing::camera_name;
 use crate::scene::{BUILT_IN, EXTREMES, Scene};
@@ -101,7 +102,7 @@ impl App {
         // Sides that the tags chose belong to none of the buttons.
         let shown = match viewer.show {
             ViewMode::Wipe if viewer.sides == EXACT_SIDES => Some(Action::WipeExact),
-            ViewMode::Wipe if viewer.sides != gouraud_phong(viewer.tolerance) => None,
+            ViewMode::Wipe if viewer.sides != Side::gouraud_phong(viewer.tolerance) => None,
             mode => Some(Action::View(mode)),
         };
         ui.horizontal_wrapped(|ui| {

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::sweeps::Sweep;
 use crate::prove::Verdict;
 use crate::report::tables::{aligned, wrapped};
+use crate::report::words::scientific;
 use crate::shading::EXACT;
 
 /// The evaluations of Phong's model that are compared, and the error in levels that each is to keep.
@@ -103,7 +104,7 @@ const LEGEND: &str = "The range in which the largest error of a picture is prove
 fn span(ends: [f64; 2]) -> String {
     let rounded = |value| match value {
         1.0..1e4 => format!("{value:.0}"),
-        _ => format!("{value:.1e}").replace(".0e", "e"),
+        _ => scientific(value),
     };
     ends.map(rounded).join(" to ")
 }

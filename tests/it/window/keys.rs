@@ -5,7 +5,7 @@ use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use shadetrade::components::{Orbit, Projection, ShadingMode, Side, Tab, ViewMode};
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::keys::{self, Action, gouraud_phong};
+use shadetrade::window::keys::{self, Action};
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::{default_scene, widgets};
@@ -54,7 +54,7 @@ fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
         Action::Redo => record.cuboid[0].shading = ShadingMode::Phong,
         Action::Tolerance(way) => {
             view.tolerance = if way > 0 { 1.0 } else { 0.25 };
-            view.sides = gouraud_phong(view.tolerance);
+            view.sides = Side::gouraud_phong(view.tolerance);
         }
         Action::HoldTime => view.budget = Some(1.0),
         Action::NextProjection => view.projection = Projection::Orthographic,

@@ -10,7 +10,6 @@ use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::window::app::App;
-use shadetrade::window::keys::gouraud_phong;
 use shadetrade::window::pictures::side_view;
 
 use super::Window;
@@ -78,7 +77,7 @@ fn both_tags_are_whole_in_windows_of_any_width() {
 fn two_pictures_take_turns_while_a_key_is_held() {
     for (view, sides) in [
         (Key::F2, [Side::Reference, Side::Picture]),
-        (Key::F3, gouraud_phong(0.5)),
+        (Key::F3, Side::gouraud_phong(0.5)),
         (Key::F4, [Side::Picture, Side::Reference]),
     ] {
         let mut window = Window::of(default_scene(), [300, 200]);
@@ -134,5 +133,5 @@ fn a_tag_chooses_the_method_of_its_side() {
     harness.get_by_label("Exact Phong in f64").click();
     harness.run_ok();
     let sides = harness.state().viewer().sides;
-    assert_eq!(sides, [gouraud_phong(0.5)[0], Side::Reference]);
+    assert_eq!(sides, [Side::gouraud_phong(0.5)[0], Side::Reference]);
 }
