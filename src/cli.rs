@@ -124,7 +124,14 @@ tolerance 0 and 0.5; of some scenes in fewer pictures. Exit status 1 if an extre
     #[command(after_help = "\
 Examples:
   shadetrade replay lesson.log
-  shadetrade replay lesson.log -o lesson.apng --idle 5")]
+  shadetrade replay lesson.log -o lesson.apng --idle 5
+
+`view --record LOG` writes a recording. It is a text: each line has its seconds, one of `scene`,
+`patch`, `size` and `say`, and JSON. A line such as
+
+  2.5 say \"No vertex lies in the highlight.\"
+
+shows words at the foot of the window; add your own between the lines.")]
     Replay(ReplayOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "Example:\n  shadetrade completions bash > shadetrade.bash")]

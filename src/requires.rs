@@ -48,6 +48,23 @@ impl Part {
     pub fn is_in_file(self) -> bool {
         !matches!(self, Part::Rule(_) | Part::F64)
     }
+
+    /// A sentence about the picture without the part.
+    pub fn without(self) -> &'static str {
+        match self {
+            Part::Light(_) => "Without it this light is off.",
+            Part::Rule(Rule::SpecularGate) => "Without it highlights are seen where n.l <= 0, too.",
+            Part::Rule(Rule::UnitNormal) => "Without it interpolated normals are shorter than 1.",
+            Part::Rule(Rule::PerspectiveCorrect) => {
+                "Without it all is interpolated linearly on the screen."
+            }
+            Part::Rule(Rule::DepthTest) => "Without it the last cuboid of the file is in front.",
+            Part::Rule(Rule::NearPlane) => "Without it nothing is cut at the near plane.",
+            Part::EveryPixel(_) => "Without it this cuboid is shaded by Gouraud.",
+            Part::Cuboid(_) => "Without it this cuboid is not drawn.",
+            Part::F64 => "Without it all is computed in f32.",
+        }
+    }
 }
 
 /// Pictures that are evaluated together. Each takes memory for every cuboid.

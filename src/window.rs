@@ -75,7 +75,8 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     if let Some(path) = recording {
         output::check_place(path)?;
         let file = File::create_new(path);
-        let file = file.with_context(|| format!("cannot record to {}", path.display()))?;
+        let file =
+            file.with_context(|| format!("cannot record to a new file {}", path.display()))?;
         app.recorder = Some(Recorder::new(file));
     }
     show(&mut display, &mut app, None)?;

@@ -47,15 +47,16 @@ impl ProbedSurface {
         let difference =
             |light: &LightSample| (light.gouraud[channel] - light.phong[channel]).abs();
         let lights = sample.lights.iter();
+        let lights = lights.filter(|light| light.kind != LightKind::Ambient);
         let most = lights.max_by(|one, other| difference(one).total_cmp(&difference(other)));
         let Some(light) = most else {
-            return Some(["No light is on.".to_owned(), String::new()]);
+            let cause = "No light is on but ambient light, which is the same everywhere.";
+            return Some([cause.to_owned(), String::new()]);
         };
         let (name, here) = (format!("light {}", light.name), light.factor);
         let factor = match light.kind {
-            LightKind::Ambient => "1".to_owned(),
-            LightKind::Diffuse => "n.l".to_owned(),
             LightKind::Specular => format!("(o.r)^{}", self.shininess),
+            _ => "n.l".to_owned(),
         };
         let [a, b, c] = light.corner_factors;
         let evidence = format!(
@@ -84,7 +85,7 @@ impl ProbedSurface {
             format!("{factor} of {name} {course} a straight line between the vertices")
         };
         let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
-        let cause = format!("{cause}: the light's {color} is {gouraud} instead of {phong}.");
+        let cause = format!("{cause}. It adds {gouraud} levels of {color} instead of {phong}.");
         Some([cause, evidence])
     }
 }

@@ -12,7 +12,7 @@ use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points
 
 use super::app::App;
 use super::keys::{Action, caption};
-use super::style::{STALE, mode_ink};
+use super::style::{GOURAUD, PHONG, STALE, mode_ink};
 use super::widgets::{ink, short, still, two_digits};
 use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
@@ -63,16 +63,20 @@ impl App {
         let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
         let is_current = self.facts.trade.is_current;
-        let shown = axes().show(ui, |plot| draw(plot, &known, is_current));
-        let corner = shown.response.rect.right_top() + vec2(-3.0, 2.0);
-        let letters = FontId::proportional(10.0);
-        ui.painter().text(
-            corner,
-            Align2::RIGHT_TOP,
-            "visible errors",
-            letters,
-            Color32::GRAY,
-        );
+        let mut axes = axes();
+        if known.is_empty() {
+            axes = axes.include_x(-1.0).include_x(1.0);
+        }
+        let shown = axes.show(ui, |plot| draw(plot, &known, is_current));
+        let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
+        for (align, text, ink) in [
+            (Align2::RIGHT_TOP, "visible errors", Color32::GRAY),
+            (Align2::LEFT_BOTTOM, "Gouraud", GOURAUD),
+            (Align2::RIGHT_BOTTOM, "Phong", PHONG),
+        ] {
+            let (at, letters) = (align.pos_in_rect(&room), FontId::proportional(10.0));
+            ui.painter().text(at, align, text, letters, ink);
+        }
         let method = self.method();
         for one in &known {
             let place = PlotPoint::from(place(one));

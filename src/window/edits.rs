@@ -21,7 +21,11 @@ impl App {
     /// The title of the window.
     pub fn title(&self) -> String {
         let star = if self.is_edited() { "*" } else { "" };
-        format!("{}{star} - shadetrade", self.scene.name)
+        let recording = match self.recorder {
+            Some(_) => "recording: ",
+            None => "",
+        };
+        format!("{recording}{}{star} - shadetrade", self.scene.name)
     }
 
     /// Writes unsaved edits into a new file; returns a sentence with its path.

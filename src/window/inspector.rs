@@ -26,6 +26,19 @@ const TABS: [(Tab, &str, &str); 4] = [
     (Tab::Proof, "Proof", "The proof that the picture keeps its tolerance."),
 ];
 
+/// The rows of the proof, with their sentences.
+#[rustfmt::skip]
+const PROOF: [(&str, &str); 8] = [
+    ("pixels proven within the tolerance", "What is drawn is within the tolerance of all values of the interval."),
+    ("pixels undecided", "It is within the tolerance of some values of the interval only."),
+    ("pixels refuted: above the tolerance", "It is within the tolerance of no value of the interval."),
+    ("pixels within 0.01 of an edge", "They may show either side of the edge."),
+    ("pixels with a cuboid", "All others show the background."),
+    ("levels, the largest proven error", "The largest distance from a drawn level to an end of its interval."),
+    ("levels, the widest enclosure", "The length of the longest interval."),
+    ("levels, the error of the reference in f64", "The distance of the reference from the intervals."),
+];
+
 impl App {
     /// Lays out the tabs and the one that is open.
     pub fn inspector(&mut self, ui: &mut Ui) {
@@ -67,30 +80,32 @@ impl App {
         let facts = &self.facts;
         self.wait(ui, &facts.required);
         let part = |part: &PartChange| {
+            let says = part.part.without();
             let is_kept = part.change.keeps(tolerance);
             let verdict = if is_kept { "no" } else { "yes" };
             let most = short(part.change.most());
-            vec![most, verdict.to_owned(), part.name.clone()]
+            (vec![most, verdict.to_owned(), part.name.clone()], says)
         };
         let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
+        let head = (head, "A part has a tooltip.");
         let parts = facts.required.value.iter().flatten().map(part);
         let rows = iter::once(head).chain(parts);
         Self::table(ui, "required", &facts.required, rows);
     }
 
-    /// Lays out a table about a fact. The words in its last column wrap.
+    /// Lays out a table about a fact, with a tooltip for each row. The words in its last column wrap.
     fn table<T>(
         ui: &mut Ui,
         name: &str,
         fact: &Latest<T>,
-        rows: impl Iterator<Item = Vec<String>>,
+        rows: impl Iterator<Item = (Vec<String>, &'static str)>,
     ) {
         let words = (ui.available_width() - NUMBERS).max(NUMBERS);
         let table = Grid::new(name).striped(true).min_col_width(0.0);
         table.max_col_width(words).show(ui, |ui| {
-            for row in rows {
+            for (row, says) in rows {
                 for cell in row {
-                    ui.colored_label(ink(fact), cell);
+                    ui.colored_label(ink(fact), cell).on_hover_text(says);
                 }
                 ui.end_row();
             }
@@ -107,29 +122,23 @@ impl App {
     }
 
     fn proof_tab(&self, ui: &mut Ui) {
+        ui.label("The exact level of each pixel is enclosed by an interval and compared with the level that is drawn.");
         let fact = &self.facts.proof;
         self.wait(ui, fact);
         let rows = fact.value.iter().flat_map(|proof| {
-            let counts = [
-                (proof.proven, "pixels proven within the tolerance"),
-                (proof.undecided, "pixels undecided"),
-                (proof.refuted, "pixels refuted: above the tolerance"),
-                (proof.outline, "pixels within 0.01 of an edge"),
-                (proof.covered, "pixels with a cuboid"),
+            let numbers = [
+                proof.proven.to_string(),
+                proof.undecided.to_string(),
+                proof.refuted.to_string(),
+                proof.outline.to_string(),
+                proof.covered.to_string(),
+                format!("{:.6}", proof.worst),
+                format!("{:.1e}", proof.widest_enclosure),
+                format!("{:.1e}", proof.reference_error),
             ];
-            let [worst, widest] = [proof.worst, proof.widest_enclosure];
-            let levels = [
-                (format!("{worst:.6}"), "levels, the largest proven error"),
-                (format!("{widest:.1e}"), "levels, the widest enclosure"),
-                (
-                    format!("{:.1e}", proof.reference_error),
-                    "levels, the error of the reference in f64",
-                ),
-            ];
-            let counts = counts.map(|(count, words)| (count.to_string(), words));
-            counts.into_iter().chain(levels)
+            numbers.into_iter().zip(PROOF)
         });
-        let rows = rows.map(|(number, words)| vec![number, words.to_owned()]);
+        let rows = rows.map(|(number, (words, says))| (vec![number, words.to_owned()], says));
         Self::table(ui, "proof", fact, rows);
     }
 }

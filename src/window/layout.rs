@@ -3,8 +3,8 @@
 //! The sides leave at least half of the width to the picture. In a narrow window the inspector takes the panel's place.
 
 use egui::{
-    Color32, Grid, Id, Label, Modal, Panel, Popup, RichText, ScrollArea, TextWrapMode, Ui, Vec2,
-    vec2,
+    Color32, Grid, Id, Label, Modal, Panel, Popup, RichText, ScrollArea, Sense, TextWrapMode, Ui,
+    Vec2, vec2,
 };
 
 use super::app::App;
@@ -26,8 +26,9 @@ const FOLDED: f32 = 22.0;
 const METHOD: &str = "The method on screen.";
 const TIME: &str =
     "The median time of a frame, without the window around it. Grey: the time of the last frame.";
-const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255.";
-const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance.";
+const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
+const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance, \
+                      or within 0.05 if that is 0.";
 
 impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
@@ -75,13 +76,15 @@ impl App {
                 ui.add(Label::new(text).truncate());
             } else {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                self.facts_line(ui);
+                if self.facts_line(ui) {
+                    self.explain_worst();
+                }
             }
         });
     }
 
-    /// The facts about the picture. Facts about another picture are grey.
-    fn facts_line(&self, ui: &mut Ui) {
+    /// The facts about the picture. Facts about another picture are grey. Returns whether the error was clicked.
+    fn facts_line(&self, ui: &mut Ui) -> bool {
         let is_wipe = self.viewer().show == ViewMode::Wipe;
         let (name, is_shown) = match self.turn() {
             Some(turn) if is_wipe => (self.side_name(&self.viewer().sides[turn]), false),
@@ -91,13 +94,16 @@ impl App {
         };
         ui.label(name).on_hover_text(METHOD);
         if !is_shown {
-            return;
+            return false;
         }
         let mut fact = |text: String, ink: Color32, is_current: bool, says: &str| {
             let ink = if is_current { ink } else { STALE };
             ui.separator();
-            ui.label(RichText::new(text).color(ink)).on_hover_text(says);
+            let label = Label::new(RichText::new(text).color(ink));
+            let label = ui.add(label.sense(Sense::click()));
+            label.on_hover_text(says).clicked()
         };
+        let mut is_clicked = false;
         if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
             let is_measured = self.measured_time().is_some();
             fact(format!("{} ms", short(time)), INK, is_measured, TIME);
@@ -105,7 +111,7 @@ impl App {
         let comparison = &self.facts.comparison;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
             let text = format!("{} levels off exact Phong", short(error));
-            fact(text, INK, comparison.is_current, ERROR);
+            is_clicked = fact(text, INK, comparison.is_current, ERROR);
         }
         if let Some(it) = self.facts.proof.current() {
             let pixels = it.proven + it.refuted + it.undecided;
@@ -120,6 +126,7 @@ impl App {
         } else if self.pools.is_some() {
             fact("not proven yet".to_owned(), STALE, false, PROVEN);
         }
+        is_clicked
     }
 
     fn help(&mut self, ui: &Ui) {

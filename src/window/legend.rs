@@ -18,6 +18,7 @@ impl App {
             ViewMode::Tiles => {
                 let counts = self.pictures.frame.counts().tiles;
                 let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
+                ui.label("squares, by the colour in them");
                 for ((kind, tint), count) in kinds {
                     let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
                     row.on_hover_text(match kind {
@@ -36,14 +37,12 @@ impl App {
 
     /// The scale of the error map, with marks at the tolerance and at the largest error.
     fn error_legend(&self, ui: &mut Ui) {
+        ui.label("error against exact Phong, levels");
         let comparison = self.facts.comparison.current();
         let scale = comparison.map_or(Scale::WIDEST, |it| it.scale);
         let size = vec2(ui.available_width().min(260.0), 26.0);
         let (place, response) = ui.allocate_exact_size(size, Sense::hover());
-        response.on_hover_text(
-            "Error against exact Phong, in levels of 255. White marks: the tolerance and the \
-             largest error.",
-        );
+        response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");
         let painter = ui.painter_at(place);
         scale.draw(&painter, place, Color32::GRAY);
         let largest = comparison.and_then(|it| it.error);

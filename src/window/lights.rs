@@ -7,7 +7,7 @@ use super::app::App;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
-    Camera, Lens, Light, LightKind, Name, Transform, active_camera, in_file_order,
+    Camera, Lens, Light, LightKind, Name, Transform, active_camera, in_file_order, length,
 };
 use crate::frame::display_pixel;
 use crate::paint::color;
@@ -25,8 +25,8 @@ pub struct Disc {
     pub name: String,
     /// Its middle in the window.
     pub at: Pos2,
-    /// From the light's own place to the border, where the disc of a light out of sight is.
-    moved: Vec2,
+    /// From the light's own place to the border, where the disc of a light out of sight is. None of a light behind the eye.
+    moved: Option<Vec2>,
     color: Color32,
     is_on: bool,
 }
@@ -58,10 +58,15 @@ impl App {
             let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
             let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
             if disc.dragged() {
+                let mut by = disc.drag_delta();
                 // A light out of sight first comes to its disc.
-                let moved = [Vec2::ZERO, light.moved][usize::from(disc.drag_started())];
-                let by = (disc.drag_delta() + moved) * self.scale();
-                self.drag_light(&light.name, by, in_depth);
+                if disc.drag_started() {
+                    match light.moved {
+                        Some(moved) => by += moved,
+                        None => self.bring_light(&light.name, light.at),
+                    }
+                }
+                self.drag_light(&light.name, by * self.scale(), in_depth);
             }
             if disc.clicked() || disc.drag_started() {
                 self.select::<Light>("light", &light.name);
@@ -99,7 +104,7 @@ impl App {
 
     /// The place of a light in the window, or the nearest one at the border of the picture, and the way to that; none for a
     /// light behind the eye.
-    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Vec2) {
+    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Option<Vec2>) {
         let border = self.place.shrink(3.0 * RADIUS);
         // A tiny picture has no room between its borders.
         let within = |at: Pos2| at.max(border.min).min(border.max);
@@ -107,13 +112,24 @@ impl App {
         if seen.z > lens.near {
             let [x, y] = lens.pixel(lens.homogeneous(seen));
             let own = self.place.min + vec2(x as f32, y as f32) / self.scale();
-            return (within(own), within(own) - own);
+            return (within(own), Some(within(own) - own));
         }
         let way = vec2(seen.x as f32, -seen.y as f32).normalized();
-        (
-            within(border.center() + way * border.size().max_elem()),
-            Vec2::ZERO,
-        )
+        let beyond = border.center() + way * border.size().max_elem();
+        (within(beyond), None)
+    }
+
+    /// Puts a light that is behind the eye under its disc, in the plane of the camera's target.
+    fn bring_light(&mut self, name: &str, at: Pos2) {
+        let view = self.view();
+        let Lens { axes, eye, .. } = Lens::new(&view);
+        let depth = axes[2] * length(view.camera.target - view.camera.position);
+        let mut lights = (self.scene.world).query::<(&Name, &mut Transform, &Light)>();
+        if let Some((_, place, _)) = lights.iter().find(|it| it.0.0 == name) {
+            place.position = eye + depth;
+        }
+        drop(lights);
+        self.drag_light(name, (at - self.place.center()) * self.scale(), false);
     }
 
     /// Moves a light by pixels of the picture across the view, or in depth. A position beyond its range is refused.
@@ -127,8 +143,13 @@ impl App {
         for (_, Transform { position, .. }, _) in lights.into_iter().filter(|it| it.0.0 == name) {
             let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
             // Rounded to a tenth of a pixel or less, so that the numbers are short.
-            let step = 10.0_f64.powf(pixel.log10().floor() - 1.0);
-            let moved = ((*position + way * pixel) / step).round() / step.recip();
+            let digits = 1.0 - pixel.log10().floor();
+            let (moved, scale) = (*position + way * pixel, 10.0_f64.powf(digits.abs()));
+            let moved = if digits > 0.0 {
+                (moved * scale).round() / scale
+            } else {
+                (moved / scale).round() * scale
+            };
             let is_legal = |it: &f64| Coordinate::RANGE.contains(it);
             if moved.to_array().iter().all(is_legal) {
                 *position = moved;

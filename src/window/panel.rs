@@ -167,6 +167,9 @@ impl App {
                 }
             }
         });
+        if self.file.path.is_none() {
+            ui.weak(heading(&self.scene.text));
+        }
         match chosen {
             Some(Ok(scene)) => self.choose(scene),
             Some(Err(error)) => self.say(error.to_string()),

@@ -1,7 +1,7 @@
 //! The pixel's tab: the drawn and the exact levels, the cause of their difference, the levels along the row, every number.
 
 use egui::color_picker::show_color;
-use egui::{Grid, Label, RichText, Ui, vec2};
+use egui::{Color32, Grid, Label, RichText, StrokeKind, Ui, vec2};
 
 use crate::components::range::Shininess;
 use crate::components::{Material, Name, ShadingMode};
@@ -22,13 +22,17 @@ impl App {
             ui.label("Click a pixel of the picture to see what is computed there.");
             return;
         };
+        let [width, height] = self.picture_size();
         ui.horizontal(|ui| {
-            let [width, height] = self.picture_size();
             ui.strong(format!("pixel {x}, {y} of {width}x{height}"));
             if ui.small_button("close").clicked() {
                 self.viewer_mut().pixel = None;
             }
         });
+        if x >= width || y >= height {
+            ui.label("It is outside of the picture.");
+            return;
+        }
         self.wait(ui, &self.facts.section);
         let Some(probe) = self.probed() else {
             return;
@@ -43,6 +47,7 @@ impl App {
         let object = &surface.object;
         ui.label(format!("{object}, {}", surface.triangle_label()));
         verdict(ui, surface);
+        ui.label(surface.drawn.cost());
         if surface.drawn.mode == ShadingMode::Phong {
             ui.weak("Gouraud shading instead:");
         }
@@ -56,7 +61,6 @@ impl App {
             let range = Shininess::RANGE;
             slider(ui, SHININESS, &mut material.shininess, range, 0.1);
         }
-        ui.label(surface.drawn.cost());
         let text = probe.lines().join("\n");
         ui.collapsing("every number", |ui| {
             ui.add(Label::new(RichText::new(text).small().monospace()).extend());
@@ -89,7 +93,10 @@ fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
         }
         ui.label("");
         for levels in [Some(drawn), exact].into_iter().flatten() {
-            show_color(ui, color(display_pixel(levels)), vec2(44.0, 20.0));
+            let shown = show_color(ui, color(display_pixel(levels)), vec2(44.0, 20.0));
+            let line = (1.0, Color32::DARK_GRAY);
+            let painter = ui.painter();
+            painter.rect_stroke(shown.rect, 0.0, line, StrokeKind::Outside);
         }
         ui.end_row();
     });
