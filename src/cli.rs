@@ -126,6 +126,8 @@ Examples:
   shadetrade replay lesson.log
   shadetrade replay lesson.log -o lesson.apng --idle 5
 
+In the window Space pauses, Enter ends the replay and leaves its scene to you, and Q quits.
+
 `view --record LOG` writes a recording. It is a text: each line has its seconds, one of `scene`,
 `patch`, `size` and `say`, and JSON. A line such as
 

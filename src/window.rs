@@ -43,13 +43,14 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
-use egui::{Event, Key, RawInput};
+use egui::{Key, RawInput};
 
 use crate::drawing::Drawing;
 use crate::output;
 use app::App;
 use display::Display;
 use recording::{Log, Recorder};
+use replay::{Player, is_pressed};
 
 pub use display::{NoDisplay, restart_in_fit_environment};
 
@@ -79,15 +80,11 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
             file.with_context(|| format!("cannot record to a new file {}", path.display()))?;
         app.recorder = Some(Recorder::new(file));
     }
-    show(&mut display, &mut app, None)?;
-    if let Some(told) = app.rescue()? {
-        output::say(&told);
-    }
-    Ok(())
+    show(&mut display, &mut app, None)
 }
 
-/// Plays `log`, which begins with `drawing`, in a window until the user quits. Every frame has its recorded size; the window
-/// opens in the largest.
+/// Plays `log`, which begins with `drawing`, in a window until the user quits, or takes over and changes the scene. Every frame
+/// has its recorded size; the window opens in the largest.
 ///
 /// # Errors
 /// As [`run`].
@@ -97,10 +94,10 @@ pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
     show(&mut display, &mut app, Some(log))
 }
 
-/// The loop of the window. A log takes the place of the user.
+/// The loop of the window. A log takes the place of the user, until the user takes over.
 fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Result<()> {
     let start = Instant::now();
-    let mut frames = log.map(|log| log.frames.iter().peekable());
+    let mut player = log.map(Player::new);
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
@@ -118,20 +115,15 @@ fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Resu
                 events: std::mem::take(&mut display.input.events),
                 ..RawInput::default()
             };
-            let (mut next, mut kind, mut size) = (Duration::MAX, "", window);
-            if let Some(frames) = &mut frames {
-                app.quits = input.events.iter().any(quits);
+            player = player.filter(|_| !is_pressed(&input.events, &[Key::Enter]));
+            let (mut time, mut next, mut size, mut kind) = (now, Duration::MAX, window, "");
+            if let Some(player) = &mut player {
+                app.quits = is_pressed(&input.events, &[Key::Escape, Key::Q]);
+                (time, next) = player.play(app, now, &input.events)?;
+                (size, kind) = (app.size, player.title());
                 input = RawInput::default();
-                while let Some(frame) = frames.next_if(|frame| frame.at <= now) {
-                    replay::play(app, frame)?;
-                }
-                size = app.size;
-                (next, kind) = match frames.peek() {
-                    Some(frame) => (frame.at, "replay, Q quits: "),
-                    None => (Duration::MAX, "replay has ended, Q quits: "),
-                };
             }
-            let output = app.step(now, size, input)?;
+            let output = app.step(time, size, input)?;
             due = now.saturating_add(output.repaint_after).min(next);
             let new = format!("{kind}{}", app.title());
             if title != new {
@@ -159,11 +151,10 @@ fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Resu
             thread::sleep(pause.min(due.saturating_sub(now)));
         }
     }
+    if player.is_none()
+        && let Some(told) = app.rescue()?
+    {
+        output::say(&told);
+    }
     Ok(())
-}
-
-/// Whether a key ends a replay.
-fn quits(event: &Event) -> bool {
-    let is_quit = |key: &Key| [Key::Escape, Key::Q].contains(key);
-    matches!(event, Event::Key { key, pressed: true, .. } if is_quit(key))
 }

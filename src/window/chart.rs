@@ -8,7 +8,7 @@
 //! ```
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
-use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span};
+use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 
 use super::app::App;
 use super::keys::{Action, caption};
@@ -26,7 +26,8 @@ use crate::trade::verdict::{UNSEEN, method_name, sentence};
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The line joins the best trades. A ring marks the \
-                       method on screen. Errors above one level are visible.";
+                       method on screen, and a white line the budget. A click on a dot draws by its method. Errors above \
+                       one level are visible.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.
@@ -67,7 +68,14 @@ impl App {
         if known.is_empty() {
             axes = axes.include_x(-1.0).include_x(1.0);
         }
-        let shown = axes.show(ui, |plot| draw(plot, &known, is_current));
+        let budget = self.viewer().budget;
+        let shown = axes.show(ui, |plot| {
+            draw(plot, &known, is_current);
+            if let Some(budget) = budget {
+                let [time, _] = logarithms(budget, 1.0);
+                plot.vline(VLine::new("budget", time).color(Color32::WHITE));
+            }
+        });
         let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
         for (align, text, ink) in [
             (Align2::RIGHT_TOP, "visible errors", Color32::GRAY),

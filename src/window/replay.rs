@@ -3,9 +3,11 @@
 //! Without a display the window shows no times, which are the machine's: its frames are the same everywhere.
 
 use std::fmt::Write;
+use std::iter::Peekable;
+use std::slice::Iter;
 use std::time::Duration;
 
-use egui::RawInput;
+use egui::{Key, RawInput};
 
 use super::app::App;
 use super::recording::{Event, Log, RecordedFrame, patched};
@@ -22,6 +24,70 @@ const LAST: Duration = Duration::from_secs(2);
 const STEPS: usize = 4;
 /// The bytes of a pixel in the window's buffer and in its picture.
 const PIXEL: usize = 8;
+
+/// Plays a log in a window. Space pauses it and lets it go on.
+pub struct Player<'a> {
+    /// The frames to come.
+    frames: Peekable<Iter<'a, RecordedFrame>>,
+    /// The length of all pauses before.
+    delay: Duration,
+    /// When the present pause began, by the window's clock.
+    paused: Option<Duration>,
+}
+
+impl<'a> Player<'a> {
+    pub fn new(log: &'a Log) -> Self {
+        Player {
+            frames: log.frames.iter().peekable(),
+            delay: Duration::ZERO,
+            paused: None,
+        }
+    }
+
+    /// Plays the frames until `now` by the window's clock. Returns the time of the log, which stands still in a pause, and
+    /// when the next frame is due by the window's clock.
+    ///
+    /// # Errors
+    /// None of a valid log.
+    pub fn play(
+        &mut self,
+        app: &mut App,
+        now: Duration,
+        events: &[egui::Event],
+    ) -> anyhow::Result<(Duration, Duration)> {
+        if is_pressed(events, &[Key::Space]) {
+            match self.paused.take() {
+                Some(begin) => self.delay += now.saturating_sub(begin),
+                None => self.paused = Some(now),
+            }
+        }
+        let time = self.paused.unwrap_or(now).saturating_sub(self.delay);
+        while let Some(frame) = self.frames.next_if(|frame| frame.at <= time) {
+            play(app, frame)?;
+        }
+        let next = self.frames.peek().filter(|_| self.paused.is_none());
+        Ok((
+            time,
+            next.map_or(Duration::MAX, |next| next.at + self.delay),
+        ))
+    }
+
+    /// The state of the replay and its keys, for the window's title.
+    pub fn title(&mut self) -> &'static str {
+        match (self.paused, self.frames.peek()) {
+            (_, None) => "replay has ended (Enter takes over, Q quits): ",
+            (None, _) => "replay (Space pauses, Enter takes over, Q quits): ",
+            (Some(_), _) => "replay is paused (Space goes on, Enter takes over, Q quits): ",
+        }
+    }
+}
+
+/// Whether one of these keys was pressed.
+pub fn is_pressed(events: &[egui::Event], keys: &[Key]) -> bool {
+    events.iter().any(|event| {
+        matches!(event, egui::Event::Key { key, pressed: true, repeat: false, .. } if keys.contains(key))
+    })
+}
 
 /// Changes the state and the size of the window as a frame says.
 ///

@@ -16,6 +16,7 @@ use std::time::Duration;
 use egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, RawInput, TouchPhase, vec2,
 };
+use egui_kittest::Harness;
 use fearless_simd::Level;
 use shadetrade::components::View;
 use shadetrade::frame::Keep;
@@ -36,6 +37,12 @@ const SIZE: [usize; 2] = [960, 600];
 const FRAME: Duration = Duration::from_millis(20);
 /// After this time a change is a new step of the history.
 const PAUSE: Duration = Duration::from_secs(2);
+
+/// Presses a key, and lays out the window again.
+fn press(harness: &mut Harness<App>, key: Key) {
+    harness.key_press(key);
+    harness.run_ok();
+}
 
 /// A window, its clock, and the folder of its saved files.
 struct Window {

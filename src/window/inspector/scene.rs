@@ -125,7 +125,8 @@ fn copy(kind: &str, all: &[Value], original: &Value) -> Value {
     if kind != "camera"
         && let Ok(position) = position
     {
-        copy["position"] = json!(position + size.map_or(position / 10.0, |size| size / 4.0));
+        let beside = |size: DVec3| DVec3::X * (size.x * 1.25);
+        copy["position"] = json!(position + size.map_or(position / 10.0, beside));
     }
     let mut names = (all.len() + 1..).map(|number| format!("{kind} {number}"));
     let is_free = |name: &String| all.iter().all(|it| it["name"] != **name);

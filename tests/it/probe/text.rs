@@ -12,6 +12,7 @@ use super::surface_of;
 #[test]
 fn the_cause_is_that_of_the_light_that_differs_most() {
     const HIGHLIGHT: [usize; 2] = [565, 327];
+    const FACE: [usize; 2] = [480, 300];
     type Change = fn(&mut SceneRecord);
     let only_white: Change = |record| record.light.truncate(1);
     let lamp: Change = |record| {
@@ -25,19 +26,14 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
         (HIGHLIGHT, |_| (), "No vertex lies in the highlight"),
         // At its edge a pixel has 12 % of the highlight, and a corner a quarter of that.
         ([530, 312], |_| (), "(o.r)^76.8 of light specular rises"),
-        // Ambient light is the same everywhere.
-        (HIGHLIGHT, ambient, "Light changes nearly linearly"),
+        (HIGHLIGHT, ambient, "No light is on but ambient light"),
         (HIGHLIGHT, dark, "No light"),
         // The light is behind the face: n.l is 0 at all of its corners but those that lean to it.
-        (
-            [480, 300],
-            only_white,
-            "A vertex faces away from light white",
-        ),
+        (FACE, only_white, "A vertex faces away from light white"),
         // A lamp before the middle of the face shines past its corners' normals.
         ([485, 380], lamp, "The surface faces light white more"),
         // Blue agrees within a level, red is 21 off.
-        ([480, 300], |_| (), "A vertex faces away from light red"),
+        (FACE, |_| (), "A vertex faces away from light red"),
     ];
     for (pixel, change, beginning) in cases {
         // The picture's own mode may be Phong: interpolation is still what is explained.

@@ -1,8 +1,7 @@
 //! Clicks, drags and the wheel over the picture, and their effect on it.
 
 use egui::{Key, Pos2, vec2};
-use shadetrade::components::LightKind;
-use shadetrade::components::{Light, ShadingMode, Tab, Transform};
+use shadetrade::components::{Light, LightKind, ShadingMode, Tab, Transform};
 use shadetrade::frame::display_step;
 use shadetrade::scene::{Scene, SceneRecord};
 
@@ -102,7 +101,10 @@ fn lights_of_one_position_have_discs_of_their_own() {
     assert!((1..3).all(|at| places[at].distance(places[at - 1]) > 10.0));
     assert_eq!(window.app.lights().len(), names.len());
     let mut expected = window.record();
-    window.drag(places[1], places[1] + vec2(-40.0, 20.0), 4);
+    // It is behind the eye, and comes to its disc.
+    let to = places[1] + vec2(-40.0, 20.0);
+    window.drag(places[1], to, 4);
+    assert!(place_of(&window, "red").distance(to) < 3.0);
     let after = window.record();
     assert_ne!(after.light[1].position, expected.light[1].position);
     expected.light[1].position = after.light[1].position;
@@ -195,12 +197,8 @@ fn the_rotation_follows_the_clock_and_stops_where_it_is_switched_off() {
 fn a_light_dragged_beyond_the_range_of_positions_stays() {
     let mut window = with_light_at(2.0);
     let far = 9.99e99;
-    let lights = window
-        .app
-        .scene
-        .world
-        .query_mut::<&mut Transform>()
-        .with::<&Light>();
+    let world = &mut window.app.scene.world;
+    let lights = world.query_mut::<&mut Transform>().with::<&Light>();
     lights.into_iter().for_each(|place| place.position.x = far);
     window.step(Vec::new());
     for _ in 0..50 {

@@ -14,7 +14,7 @@ use proptest::sample::select;
 use serde_json::json;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::recording::{Log, Recorder, patch};
-use shadetrade::window::replay::{draw, hash};
+use shadetrade::window::replay::{Player, draw, hash};
 
 use super::{FRAME, Window};
 use crate::scene::random;
@@ -72,6 +72,28 @@ fn replayed(log: &Log, threads: usize, level: Level) -> Vec<(Duration, Arc<Scene
     })
     .expect("there is memory");
     frames
+}
+
+#[test]
+fn a_pause_delays_the_frames_of_a_replay() {
+    let off = r#"1.000 patch [{"op":"replace","path":"/light/0/on","value":false}]"#;
+    let log = read(&log(&format!("{off}\n3.000 say \"end\"\n"))).expect("a valid log");
+    let mut window = Window::of(default_scene(), SIZE);
+    let space = [window.key_event(Key::Space, true)];
+    let mut player = Player::new(&log);
+    let seconds = Duration::from_secs;
+    for (now, presses, time, next, is_on) in [
+        (0, false, 0, seconds(1), true),
+        (0, true, 0, Duration::MAX, true),
+        (9, true, 0, seconds(10), true),
+        (10, false, 1, seconds(12), false),
+        (12, false, 3, Duration::MAX, false),
+    ] {
+        let events = &space[..usize::from(presses)];
+        let played = player.play(&mut window.app, seconds(now), events);
+        assert_eq!(played.expect("a valid log"), (seconds(time), next));
+        assert_eq!(window.record().light[0].on, is_on, "{now}");
+    }
 }
 
 /// A log of a scene, followed by these lines.

@@ -12,7 +12,7 @@ use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::window::app::App;
 use shadetrade::window::pictures::side_view;
 
-use super::Window;
+use super::{Window, press};
 use crate::support::window::{app, default_scene, widgets};
 use crate::trade::example::live;
 
@@ -54,8 +54,7 @@ fn open(tab: Option<Tab>) -> Window {
 fn both_tags_are_whole_in_windows_of_any_width() {
     for size in [SIZE, [760, 700]] {
         let mut harness = widgets(measured(), size);
-        harness.key_press(Key::F3);
-        harness.run_ok();
+        press(&mut harness, Key::F3);
         let place = harness.state().place;
         let tags = [
             ["Gouraud", "worst pixel 165 of 255"],
@@ -104,8 +103,7 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     // Phong's lies left of the divider, which moves off it.
     let mut window = open(None);
     let mut harness = widgets(measured(), SIZE);
-    harness.key_press(Key::F3);
-    harness.run_ok();
+    press(&mut harness, Key::F3);
     let tag = harness.get_by_label("worst pixel 0.500 of 255").rect();
     window.click(tag.center());
     // The inspector takes room from the picture, whose errors are measured again.
@@ -121,13 +119,23 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     window.press(Key::Y);
     assert_eq!(probed(&window), Some(WORST[1]));
     assert_eq!(window.app.viewer().inspector, Some(Tab::Pixel));
+    // So does a click on the error in the status line.
+    let mut window = Window::with(measured(), SIZE);
+    window.press(Key::F5);
+    let mut harness = widgets(window.app, SIZE);
+    harness.get_by_label_contains("levels off").click();
+    harness.run_ok();
+    assert_eq!(harness.state().desk.sought, Some(0));
+    // A pixel that was saved in a larger window may be outside.
+    harness.state_mut().viewer_mut().pixel = Some(SIZE);
+    harness.run_ok();
+    assert!(harness.query_by_label_contains("outside").is_some());
 }
 
 #[test]
 fn a_tag_chooses_the_method_of_its_side() {
     let mut harness = widgets(measured(), SIZE);
-    harness.key_press(Key::F3);
-    harness.run_ok();
+    press(&mut harness, Key::F3);
     harness.get_by_value("Phong within half a level").click();
     harness.run_ok();
     harness.get_by_label("Exact Phong in f64").click();

@@ -14,7 +14,7 @@ use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
 
-use super::{FRAME, Window};
+use super::{FRAME, Window, press};
 use crate::support::window::{app, default_scene, places, widgets};
 use crate::trade::example::live;
 
@@ -99,15 +99,13 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
     // At most one round through the window.
     let mut steps = 0..200;
     while !rest.is_empty() && steps.next().is_some() {
-        harness.key_press(Key::Tab);
-        harness.run_ok();
+        press(&mut harness, Key::Tab);
         let is_focused = |it: &Method| {
             let label = format!("choose {}", method_name(*it));
             harness.get_by_label(&label).is_focused()
         };
         if let Some(place) = rest.iter().position(is_focused) {
-            harness.key_press(Key::Enter);
-            harness.run_ok();
+            press(&mut harness, Key::Enter);
             assert_eq!(harness.state().method(), Some(rest.remove(place)));
         }
     }
@@ -252,7 +250,6 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
 fn the_sentence_names_the_key_of_phong_while_gouraud_is_on_screen() {
     let mut harness = widgets(app_with_trade(), SIZE);
     assert!(harness.query_by_label_contains("P shows Phong.").is_some());
-    harness.key_press(Key::P);
-    harness.run_ok();
+    press(&mut harness, Key::P);
     assert!(harness.query_by_label_contains("shows Phong").is_none());
 }
