@@ -85,7 +85,8 @@ impl ProbedSurface {
             format!("{factor} of {name} {course} a straight line between the vertices")
         };
         let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
-        let cause = format!("{cause}. It adds {gouraud} levels of {color} instead of {phong}.");
+        let cause =
+            format!("{cause}. The light adds {gouraud} levels of {color} instead of {phong}.");
         Some([cause, evidence])
     }
 }

@@ -77,14 +77,14 @@ impl App {
             }
         });
         let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
-        for (align, text, ink) in [
-            (Align2::RIGHT_TOP, "visible errors", Color32::GRAY),
-            (Align2::LEFT_BOTTOM, "Gouraud", GOURAUD),
-            (Align2::RIGHT_BOTTOM, "Phong", PHONG),
-        ] {
-            let (at, letters) = (align.pos_in_rect(&room), FontId::proportional(10.0));
-            ui.painter().text(at, align, text, letters, ink);
-        }
+        let write = |at: Pos2, align: Align2, text: &str, ink: Color32| {
+            let letters = FontId::proportional(10.0);
+            ui.painter().text(at, align, text, letters, ink).right_top()
+        };
+        let errors = "visible errors";
+        write(room.right_top(), Align2::RIGHT_TOP, errors, Color32::GRAY);
+        let end = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
+        write(end + vec2(6.0, 0.0), Align2::LEFT_TOP, "Phong", PHONG);
         let method = self.method();
         for one in &known {
             let place = PlotPoint::from(place(one));

@@ -119,11 +119,11 @@ impl App {
         (within(beyond), None)
     }
 
-    /// Puts a light that is behind the eye under its disc, in the plane of the camera's target.
+    /// Puts a light that is behind the eye under its disc, half as far away as the camera's target.
     fn bring_light(&mut self, name: &str, at: Pos2) {
         let view = self.view();
         let Lens { axes, eye, .. } = Lens::new(&view);
-        let depth = axes[2] * length(view.camera.target - view.camera.position);
+        let depth = axes[2] * length(view.camera.target - view.camera.position) / 2.0;
         let mut lights = (self.scene.world).query::<(&Name, &mut Transform, &Light)>();
         if let Some((_, place, _)) = lights.iter().find(|it| it.0.0 == name) {
             place.position = eye + depth;

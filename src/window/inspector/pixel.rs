@@ -47,12 +47,16 @@ impl App {
         let object = &surface.object;
         ui.label(format!("{object}, {}", surface.triangle_label()));
         verdict(ui, surface);
-        ui.label(surface.drawn.cost());
-        if surface.drawn.mode == ShadingMode::Phong {
+        let is_phong = surface.drawn.mode == ShadingMode::Phong;
+        if is_phong {
+            ui.label(surface.drawn.cost());
             ui.weak("Gouraud shading instead:");
         }
         for sentence in surface.cause().into_iter().flatten() {
             ui.label(sentence);
+        }
+        if !is_phong {
+            ui.label(surface.drawn.cost());
         }
         self.section(ui, x, surface);
         let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
