@@ -167,8 +167,9 @@ impl App {
                 }
             }
         });
-        if self.file.path.is_none() {
-            ui.weak(heading(&self.scene.text));
+        let words = heading(&self.scene.text);
+        if self.file.path.is_none() && !words.is_empty() {
+            ui.weak(words);
         }
         match chosen {
             Some(Ok(scene)) => self.choose(scene),

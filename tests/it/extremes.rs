@@ -1,6 +1,6 @@
 //! Every extreme passes, also those that need a generator or are compared with a scene without the extreme.
 //!
-//! `SHADETRADE_EXTREMES=full` proves the whole pictures, and a ninth of them at the other SIMD levels of this machine. It
+//! `SHADETRADE_EXTREMES=full` proves the whole pictures, and a sixteenth of them at the other SIMD levels of this machine. It
 //! draws the largest picture of 16384 x 16384 pixels, which takes a gigabyte of memory.
 
 mod crowds;
@@ -32,13 +32,13 @@ fn levels() -> Vec<Level> {
     }
 }
 
-/// Every extreme; unless `whole`, in one mode by turns, and in a ninth of the pixels if the picture has the usual shape.
+/// Every extreme; unless `whole`, in one mode by turns, and in a sixteenth of the pixels if the picture has the usual shape.
 fn extremes(whole: bool) -> Vec<Extreme> {
     let mut extremes = table();
     for (number, extreme) in extremes.iter_mut().enumerate().filter(|_| !whole) {
         let [width, height] = extreme.size;
         if width * SIZE[1] == height * SIZE[0] {
-            extreme.size = [width / 3, height / 3];
+            extreme.size = [width / 4, height / 4];
         }
         if extreme.modes.len() > 1 {
             extreme.modes.remove(number % 2);

@@ -26,7 +26,7 @@ fn asked() -> impl Strategy<Value = (Case, f64)> {
 #[test]
 fn every_pixel_of_random_scenes_is_proven() {
     let (mut covered, mut outline, mut proven, mut error) = (0, 0, 0, 0.0_f64);
-    for (case, tolerance) in values(&asked(), cases(40)) {
+    for (case, tolerance) in values(&asked(), cases(25)) {
         let (mut world, view) = case.build([96, 72], tolerance);
         let proof = proof(&mut world, &view);
         let what = format!("tolerance {tolerance}: {proof:?}\n{case:?}");
@@ -49,7 +49,7 @@ fn every_pixel_of_random_scenes_is_proven() {
 #[test]
 fn the_assignment_s_shortcut_is_drawn_as_the_reference_defines_it() {
     let mut compared = 0;
-    for case in values(&case(ShadingMode::UnitVectors), cases(16)) {
+    for case in values(&case(ShadingMode::UnitVectors), cases(10)) {
         let (mut world, view) = case.build([64, 48], 4.0);
         let frame = draw(&mut world, &view, Keep::Levels);
         let truth = truth(&world, &view);
@@ -75,7 +75,7 @@ fn distance(world: &mut World, eye: DVec3) -> f64 {
 fn no_pixel_of_random_scenes_with_numbers_of_any_magnitude_is_refuted_or_undefined() {
     let mut sum = [0; 3];
     let random = &mut Random(9);
-    for (case, tolerance) in values(&asked(), cases(60)) {
+    for (case, tolerance) in values(&asked(), cases(30)) {
         let mut record = case.record(tolerance);
         for _ in 0..=random.below(2) {
             record = exaggerated(&record, random);

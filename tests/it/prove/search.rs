@@ -1,7 +1,7 @@
 //! A search for the worst scene: it climbs from stored scenes towards the largest used share of the tolerance.
 //!
 //! A scene is a list of numbers in 0..=1. A step changes some of them and is kept unless the share shrinks. The results
-//! are printed; the best ones are stored in [`FOUND`]. `SHADETRADE_CASES` sets the number of steps (default 10).
+//! are printed; the best ones are stored in [`FOUND`]. `SHADETRADE_CASES` sets the number of steps (default 5).
 
 use std::f64::consts::TAU;
 
@@ -127,7 +127,7 @@ fn the_search_for_the_worst_comes_near_the_tolerance_and_never_exceeds_it() {
         let read: Vec<f64> = words.map(|word| word.parse().expect("a number")).collect();
         let mut numbers: Numbers = read.try_into().expect("all numbers of a scene");
         let mut share = proven(&numbers, asked);
-        for _ in 0..cases(10) {
+        for _ in 0..cases(5) {
             let next = stepped(numbers, random);
             let (mut world, view) = build(&next, asked);
             // A proof takes ten times as long as an estimate.

@@ -1,7 +1,7 @@
 //! Random scenes whose pictures must be equal: in another order of the cuboids, upside down, at another place and of another
 //! size, and drawn over another picture.
 //!
-//! `SHADETRADE_CASES` sets the number of scenes in each mode (default 64).
+//! `SHADETRADE_CASES` sets the number of scenes in each mode (default 40).
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -18,7 +18,7 @@ use crate::support::scene::{MODES, draw, truth};
 
 /// Random scenes in every mode, exact and within half a level.
 fn scenes() -> impl Iterator<Item = (World, View)> {
-    let all = MODES.map(|mode| values(&case(mode), cases(64)).collect::<Vec<_>>());
+    let all = MODES.map(|mode| values(&case(mode), cases(40)).collect::<Vec<_>>());
     let all = all.into_iter().flatten();
     let tolerances = [0.0, 0.5].into_iter().cycle();
     all.zip(tolerances)

@@ -103,7 +103,7 @@ fn log(lines: &str) -> String {
 }
 
 proptest! {
-    #![proptest_config(config(2))]
+    #![proptest_config(config(1))]
 
     #[test]
     fn a_window_is_replayed_unchanged(keys in vec(select(vec![
