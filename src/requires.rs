@@ -50,7 +50,7 @@ impl Part {
     }
 
     /// A sentence about the picture without the part.
-    pub fn without(self) -> &'static str {
+    pub fn says(self) -> &'static str {
         match self {
             Part::Light(_) => "Without it this light is off.",
             Part::Rule(Rule::SpecularGate) => "Without it highlights are seen where n.l <= 0, too.",
@@ -165,7 +165,7 @@ pub fn changes(
     let all = left_out.len().div_ceil(AT_ONCE) * height;
     let mut changes = Vec::with_capacity(left_out.len());
     for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
-        // And whether its levels are enclosed.
+        // The picture without some parts, and whether its levels are enclosed.
         let picture = |parts: &Vec<Part>| {
             let world = &without(scene, parts).world;
             let rule = parts.iter().find_map(|part| match part {

@@ -18,7 +18,7 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use anyhow::{anyhow, bail};
+use anyhow::{anyhow, bail, ensure};
 use hecs::World;
 
 pub use self::check::{MAX_SIDE, Mistake};
@@ -189,13 +189,15 @@ fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
     if names.iter().any(|known| known == name) {
         return Ok(());
     }
+    ensure!(
+        !names.is_empty(),
+        "no {kind} is named {name:?}; the scene has no {kind}s"
+    );
     let listed = names.iter().take(MAX_LISTED);
     let mut listed: Vec<String> = listed.map(|name| format!("{name:?}")).collect();
     if names.len() > MAX_LISTED {
         listed.push(format!("{} more", names.len() - MAX_LISTED));
     }
-    match &*listed.join(", ") {
-        "" => bail!("no {kind} is named {name:?}; the scene has no {kind}s"),
-        listed => bail!("no {kind} is named {name:?}; the scene's {kind}s are {listed}"),
-    }
+    let listed = listed.join(", ");
+    bail!("no {kind} is named {name:?}; the scene's {kind}s are {listed}")
 }

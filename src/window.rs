@@ -39,6 +39,7 @@ mod widgets;
 
 use std::fs::File;
 use std::path::Path;
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -83,8 +84,8 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
     show(&mut display, &mut app, None)
 }
 
-/// Plays `log`, which begins with `drawing`, in a window until the user quits, or takes over and changes the scene. Every frame
-/// has its recorded size; the window opens in the largest.
+/// Plays `log`, which begins with `drawing`, in a window until the user quits or takes over. Then the window is as that of
+/// [`run`]. Every frame has its recorded size; the window opens in the largest.
 ///
 /// # Errors
 /// As [`run`].
@@ -115,15 +116,19 @@ fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Resu
                 events: std::mem::take(&mut display.input.events),
                 ..RawInput::default()
             };
-            player = player.filter(|_| !is_pressed(&input.events, &[Key::Enter]));
-            let (mut time, mut next, mut size, mut kind) = (now, Duration::MAX, window, "");
+            if player.is_some() && is_pressed(&input.events, &[Key::Enter]) {
+                player = None;
+                // The edits of the log are not the user's.
+                app.file.saved = Arc::clone(&app.state);
+            }
+            let (mut next, mut size, mut kind) = (Duration::MAX, window, "");
             if let Some(player) = &mut player {
                 app.quits = is_pressed(&input.events, &[Key::Escape, Key::Q]);
-                (time, next) = player.play(app, now, &input.events)?;
+                next = player.play(app, now, &input.events)?;
                 (size, kind) = (app.size, player.title());
                 input = RawInput::default();
             }
-            let output = app.step(time, size, input)?;
+            let output = app.step(now, size, input)?;
             due = now.saturating_add(output.repaint_after).min(next);
             let new = format!("{kind}{}", app.title());
             if title != new {

@@ -50,7 +50,7 @@ impl ProbedSurface {
         let lights = lights.filter(|light| light.kind != LightKind::Ambient);
         let most = lights.max_by(|one, other| difference(one).total_cmp(&difference(other)));
         let Some(light) = most else {
-            let cause = "No light is on but ambient light, which is the same everywhere.";
+            let cause = "No diffuse or specular light is on: Gouraud and Phong agree.";
             return Some([cause.to_owned(), String::new()]);
         };
         let (name, here) = (format!("light {}", light.name), light.factor);

@@ -14,7 +14,7 @@ pub const CANCELLED: &str = "the work was cancelled";
 /// The caller of long work.
 #[derive(Clone, Copy)]
 pub struct Monitor<'a> {
-    /// Returns true once the result is not wanted any more. It is called before every row and every frame.
+    /// Returns true once the result is not wanted any more. It is called before every row, and before every frame of `trade`.
     pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
     /// Receives the present step and its finished share, 0..=1, from any thread.
     pub progress: &'a (dyn Fn(&'static str, f64) + Sync),

@@ -60,7 +60,7 @@ impl Spans<'_> {
         start..end.max(start)
     }
 
-    /// The same, within the columns `left..right`.
+    /// The covered pixels within some rows and the columns `left..right`, row by row. Rows without such pixels are left out.
     #[inline(always)]
     pub fn clipped(
         &self,

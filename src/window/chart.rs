@@ -26,7 +26,7 @@ use crate::trade::verdict::{UNSEEN, method_name, sentence};
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The line joins the best trades. A ring marks the \
-                       method on screen, and a white line the budget. A click on a dot draws by its method. Errors above \
+                       method on screen, and a white line the budget. A click on a dot chooses its method. Errors above \
                        one level are visible.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;

@@ -111,7 +111,7 @@ impl Work {
     ) -> Work {
         let progress = Arc::<Mutex<_>>::default();
         let (tell, answer) = mpsc::channel::<Answer>();
-        // It lives as long as the work is wanted.
+        // The progress lives as long as the work is wanted.
         let wanted = Arc::downgrade(&progress);
         let work = move || {
             let is_cancelled = || wanted.strong_count() == 0;

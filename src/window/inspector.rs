@@ -26,18 +26,16 @@ const TABS: [(Tab, &str, &str); 4] = [
     (Tab::Proof, "Proof", "The proof that the picture keeps its tolerance."),
 ];
 
-/// The rows of the proof, with their sentences.
-#[rustfmt::skip]
-const PROOF: [(&str, &str); 8] = [
-    ("pixels proven within the tolerance", "What is drawn is within the tolerance of all values of the interval."),
-    ("pixels undecided", "It is within the tolerance of some values of the interval only."),
-    ("pixels refuted: above the tolerance", "It is within the tolerance of no value of the interval."),
-    ("pixels within 0.01 of an edge", "They may show either side of the edge."),
-    ("pixels with a cuboid", "All others show the background."),
-    ("levels, the largest proven error", "The largest distance from a drawn level to an end of its interval."),
-    ("levels, the widest enclosure", "The length of the longest interval."),
-    ("levels, the error of the reference in f64", "The distance of the reference from the intervals."),
-];
+/// The tooltips of the proof.
+const PROVEN: &str = "What is drawn is within the tolerance of all values of the interval.";
+const UNDECIDED: &str = "It is within the tolerance of some values of the interval only.";
+const REFUTED: &str = "It is within the tolerance of no value of the interval.";
+const OUTLINE: &str = "They may show either side of the edge.";
+const COVERED: &str = "All others show the background.";
+const WORST: &str =
+    "The largest distance from the drawn level of a proven pixel to an end of its interval.";
+const WIDEST: &str = "The length of the longest interval.";
+const REFERENCE: &str = "The largest possible error of the reference against the exact level.";
 
 impl App {
     /// Lays out the tabs and the one that is open.
@@ -75,19 +73,19 @@ impl App {
         let tolerance = self.viewer().tolerance;
         ui.label(format!(
             "The largest error of the picture if one part of the model is left out, in levels of 255, proven; and \
-             whether tolerance {tolerance} needs that part."
+             whether tolerance {tolerance} needs that part. Tooltips describe the picture without it."
         ));
         let facts = &self.facts;
         self.wait(ui, &facts.required);
         let part = |part: &PartChange| {
-            let says = part.part.without();
+            let says = part.part.says();
             let is_kept = part.change.keeps(tolerance);
             let verdict = if is_kept { "no" } else { "yes" };
             let most = short(part.change.most());
             (vec![most, verdict.to_owned(), part.name.clone()], says)
         };
         let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
-        let head = (head, "A part has a tooltip.");
+        let head = (head, "");
         let parts = facts.required.value.iter().flatten().map(part);
         let rows = iter::once(head).chain(parts);
         Self::table(ui, "required", &facts.required, rows);
@@ -105,7 +103,10 @@ impl App {
         table.max_col_width(words).show(ui, |ui| {
             for (row, says) in rows {
                 for cell in row {
-                    ui.colored_label(ink(fact), cell).on_hover_text(says);
+                    let label = ui.colored_label(ink(fact), cell);
+                    if !says.is_empty() {
+                        label.on_hover_text(says);
+                    }
                 }
                 ui.end_row();
             }
@@ -125,20 +126,33 @@ impl App {
         ui.label("The exact level of each pixel is enclosed by an interval and compared with the level that is drawn.");
         let fact = &self.facts.proof;
         self.wait(ui, fact);
+        let row = |number: String, words: &str, says| (vec![number, words.to_owned()], says);
         let rows = fact.value.iter().flat_map(|proof| {
-            let numbers = [
-                proof.proven.to_string(),
-                proof.undecided.to_string(),
-                proof.refuted.to_string(),
-                proof.outline.to_string(),
-                proof.covered.to_string(),
-                format!("{:.6}", proof.worst),
-                format!("{:.1e}", proof.widest_enclosure),
-                format!("{:.1e}", proof.reference_error),
-            ];
-            numbers.into_iter().zip(PROOF)
+            let count = |pixels: u64, words, says| row(pixels.to_string(), words, says);
+            let levels = |error: f64, words, says| row(format!("{error:.1e}"), words, says);
+            [
+                count(proof.proven, "pixels proven within the tolerance", PROVEN),
+                count(proof.undecided, "pixels undecided", UNDECIDED),
+                count(
+                    proof.refuted,
+                    "pixels refuted: above the tolerance",
+                    REFUTED,
+                ),
+                count(proof.outline, "pixels within 0.01 of an edge", OUTLINE),
+                count(proof.covered, "pixels with a cuboid", COVERED),
+                levels(proof.worst, "levels, the largest proven error", WORST),
+                levels(
+                    proof.widest_enclosure,
+                    "levels, the widest enclosure",
+                    WIDEST,
+                ),
+                levels(
+                    proof.reference_error,
+                    "levels, the error of the reference in f64",
+                    REFERENCE,
+                ),
+            ]
         });
-        let rows = rows.map(|(number, (words, says))| (vec![number, words.to_owned()], says));
         Self::table(ui, "proof", fact, rows);
     }
 }

@@ -99,9 +99,7 @@ impl App {
         let mut fact = |text: String, ink: Color32, is_current: bool, says: &str| {
             let ink = if is_current { ink } else { STALE };
             ui.separator();
-            let label = Label::new(RichText::new(text).color(ink));
-            let label = ui.add(label.sense(Sense::click()));
-            label.on_hover_text(says).clicked()
+            ui.label(RichText::new(text).color(ink)).on_hover_text(says)
         };
         let mut is_clicked = false;
         if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
@@ -111,7 +109,8 @@ impl App {
         let comparison = &self.facts.comparison;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
             let text = format!("{} levels off exact Phong", short(error));
-            is_clicked = fact(text, INK, comparison.is_current, ERROR);
+            let error = fact(text, INK, comparison.is_current, ERROR);
+            is_clicked = error.interact(Sense::click()).clicked();
         }
         if let Some(it) = self.facts.proof.current() {
             let pixels = it.proven + it.refuted + it.undecided;

@@ -25,7 +25,8 @@ pub struct Disc {
     pub name: String,
     /// Its middle in the window.
     pub at: Pos2,
-    /// From the light's own place to the border, where the disc of a light out of sight is. None of a light behind the eye.
+    /// From the light's own place to the border, where the disc of a light out of sight is. None of a light that is not in
+    /// front of the near plane.
     moved: Option<Vec2>,
     color: Color32,
     is_on: bool,
@@ -119,16 +120,16 @@ impl App {
         (within(beyond), None)
     }
 
-    /// Puts a light that is behind the eye under its disc, half as far away as the camera's target.
+    /// Puts a light that is not in front of the near plane under its disc: half as far away as the camera's target, or twice as
+    /// far as the near plane if that is more.
     fn bring_light(&mut self, name: &str, at: Pos2) {
         let view = self.view();
-        let Lens { axes, eye, .. } = Lens::new(&view);
-        let depth = axes[2] * length(view.camera.target - view.camera.position) / 2.0;
-        let mut lights = (self.scene.world).query::<(&Name, &mut Transform, &Light)>();
-        if let Some((_, place, _)) = lights.iter().find(|it| it.0.0 == name) {
-            place.position = eye + depth;
+        let lens = Lens::new(&view);
+        let half_way = length(view.camera.target - view.camera.position) / 2.0;
+        let lights = (self.scene.world).query_mut::<(&Name, &mut Transform, &Light)>();
+        for (_, place, _) in lights.into_iter().filter(|it| it.0.0 == name) {
+            place.position = lens.eye + lens.axes[2] * half_way.max(2.0 * lens.near);
         }
-        drop(lights);
         self.drag_light(name, (at - self.place.center()) * self.scale(), false);
     }
 

@@ -20,6 +20,8 @@ use crate::scene::{Scene, SceneRecord};
 
 /// How long the last frame of an animation is shown.
 const LAST: Duration = Duration::from_secs(2);
+/// A message is shown until a pause ends, and at least this long after it.
+const AFTER_PAUSE: Duration = Duration::from_secs(2);
 /// The most steps until the window shows the answers to the questions of the step before.
 const STEPS: usize = 4;
 /// The bytes of a pixel in the window's buffer and in its picture.
@@ -44,8 +46,7 @@ impl<'a> Player<'a> {
         }
     }
 
-    /// Plays the frames until `now` by the window's clock. Returns the time of the log, which stands still in a pause, and
-    /// when the next frame is due by the window's clock.
+    /// Plays the frames until `now` by the window's clock. Returns when the next one is due.
     ///
     /// # Errors
     /// None of a valid log.
@@ -54,22 +55,25 @@ impl<'a> Player<'a> {
         app: &mut App,
         now: Duration,
         events: &[egui::Event],
-    ) -> anyhow::Result<(Duration, Duration)> {
+    ) -> anyhow::Result<Duration> {
+        if let (Some(_), Some(message)) = (self.paused, &mut app.desk.message) {
+            message.until = message.until.max(now + AFTER_PAUSE);
+        }
         if is_pressed(events, &[Key::Space]) {
             match self.paused.take() {
                 Some(begin) => self.delay += now.saturating_sub(begin),
                 None => self.paused = Some(now),
             }
         }
-        let time = self.paused.unwrap_or(now).saturating_sub(self.delay);
-        while let Some(frame) = self.frames.next_if(|frame| frame.at <= time) {
-            play(app, frame)?;
+        if self.paused.is_some() {
+            return Ok(Duration::MAX);
         }
-        let next = self.frames.peek().filter(|_| self.paused.is_none());
-        Ok((
-            time,
-            next.map_or(Duration::MAX, |next| next.at + self.delay),
-        ))
+        let delay = self.delay;
+        while let Some(frame) = self.frames.next_if(|frame| frame.at + delay <= now) {
+            play(app, frame, frame.at + delay)?;
+        }
+        let next = self.frames.peek();
+        Ok(next.map_or(Duration::MAX, |next| next.at + delay))
     }
 
     /// The state of the replay and its keys, for the window's title.
@@ -89,12 +93,12 @@ pub fn is_pressed(events: &[egui::Event], keys: &[Key]) -> bool {
     })
 }
 
-/// Changes the state and the size of the window as a frame says.
+/// Changes the state and the size of the window as a frame says, at this time by the window's clock.
 ///
 /// # Errors
 /// None of a valid log.
-pub fn play(app: &mut App, frame: &RecordedFrame) -> anyhow::Result<()> {
-    app.now = frame.at;
+pub fn play(app: &mut App, frame: &RecordedFrame, at: Duration) -> anyhow::Result<()> {
+    app.now = at;
     for event in &frame.events {
         match event {
             Event::Scene(it) => app.open(Scene::spawn(it.name.clone(), &it.scene)),
@@ -121,7 +125,7 @@ pub fn draw(
     let mut app = App::new(drawing, false)?;
     app.shows_times = false;
     for frame in &log.frames {
-        play(&mut app, frame)?;
+        play(&mut app, frame, frame.at)?;
         let size = app.size;
         memory::check(size, PIXEL * size[0] * size[1])?;
         for _ in 0..STEPS {

@@ -117,8 +117,8 @@ fn new_light() -> Value {
     })
 }
 
-/// A copy of an entity with a free name, in sight beside it: a cuboid is moved by a quarter of its size, a light by a tenth
-/// of its distance.
+/// A copy of an entity with a free name, beside it: a cuboid is moved along x by five quarters of its width, a light by a tenth
+/// of its distance from the origin.
 fn copy(kind: &str, all: &[Value], original: &Value) -> Value {
     let mut copy = original.clone();
     let [position, size] = ["position", "size"].map(|key| DVec3::deserialize(&copy[key]));

@@ -10,6 +10,7 @@ use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
 const FAILURES: &str = r#"
 2  --size 0x0  ->  '0x0'|1x1 to 16384x16384
 2  rendr  ->  'rendr'|'render'
+2  --size 16385x1  ->  '16385x1'
 2  view --size 960  ->  '960'|such as 960x720
 2  render -o b.png --size -5x5  ->  '-5x5'
 2  render -o b.png --tolerance 9.9e-5  ->  '9.9e-5'|0.0001 to 255
@@ -18,11 +19,12 @@ const FAILURES: &str = r#"
 2  render -o b.png --budget 1 --tolerance 1  ->  --budget|--tolerance
 2  render -o b.png --budget 1 --shading phong  ->  --budget|--shading
 2  probe --pixel 1,1 --budget 1  ->  --budget
+2  render -o b.png --threads 0  ->  '0'|1..=1024
+2  render -o b.png --simd sse9  ->  'sse9'|fallback, sse4.2
 2  --camera 3  ->  "3"|"1", "2"
 2  view bench-far --lights white,blue  ->  "blue"|"white", "red"
 2  render -o b.png --lights white,,red  ->  no light is named ""
 2  extremes nowhere  ->  "nowhere"|`shadetrade extremes`
-2  extremes eye-inside -o sub  ->  --output
 2  probe --pixel 960,0  ->  960,0|959,719
 2  probe --pixel 0,720  ->  0,720|959,719
 2  probe --pixel 1,2,3  ->  '1,2,3'|480,300
@@ -66,7 +68,6 @@ const FAILURES: &str = r#"
 2  replay absent.log  ->  absent.log
 2  replay quit.log  ->  quit.log:1:|`quit`
 2  replay quit.log -o quit.log  ->  quit.log|.png or .apng
-2  replay quit.log --idle -1  ->  86400
 # Without a display a scene is found and read, but not shown.
 1  ./render  ->  no display|shadetrade render ./render -o
 1  bench-far  ->  no display|shadetrade render bench-far -o

@@ -26,8 +26,8 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
         (HIGHLIGHT, |_| (), "No vertex lies in the highlight"),
         // At its edge a pixel has 12 % of the highlight, and a corner a quarter of that.
         ([530, 312], |_| (), "(o.r)^76.8 of light specular rises"),
-        (HIGHLIGHT, ambient, "No light is on but ambient light"),
-        (HIGHLIGHT, dark, "No light"),
+        (HIGHLIGHT, ambient, "No diffuse or specular light"),
+        (HIGHLIGHT, dark, "No diffuse or specular light"),
         // The light is behind the face: n.l is 0 at all of its corners but those that lean to it.
         (FACE, only_white, "A vertex faces away from light white"),
         // A lamp before the middle of the face shines past its corners' normals.

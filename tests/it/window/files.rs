@@ -147,7 +147,7 @@ fn another_scene_takes_no_edits_with_it() {
     let json = serde_json::to_string(&edits).expect("JSON");
     let text = format!("0.000 scene {{\"name\":\"other\",\"scene\":{json}}}\n");
     let log = Log::read("other.log", text.as_bytes(), PAUSE).expect("a recording");
-    replay::play(&mut window.app, &log.frames[0]).expect("it is played");
+    replay::play(&mut window.app, &log.frames[0], std::time::Duration::ZERO).expect("it is played");
     window.wait(PAUSE);
     assert!(window.app.title().contains("other"));
     assert_eq!(window.files(), ["mine.toml"]);

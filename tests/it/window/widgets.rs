@@ -232,10 +232,10 @@ fn entities_are_copied_renamed_and_deleted() {
         let before = names::<Light>(&harness.state().scene.world);
         click_inside(&mut harness, &before[0]);
         let fields = harness.query_all_by_role(Role::TextInput);
-        let centres = fields.map(|field| field.rect().center());
-        let mut inside = centres.filter(|at| at.x > harness.state().place.max.x);
-        let field = inside.next();
-        drop(inside);
+        let inspector = harness.state().place.max.x;
+        let mut fields = fields.map(|field| field.rect().center());
+        let field = fields.find(|at| at.x > inspector);
+        drop(fields);
         click_at(&mut harness, field.expect("the field of the name"));
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         harness.run_ok();
