@@ -26,17 +26,6 @@ const TABS: [(Tab, &str, &str); 4] = [
     (Tab::Proof, "Proof", "The proof that the picture keeps its tolerance."),
 ];
 
-/// The tooltips of the proof.
-const PROVEN: &str = "What is drawn is within the tolerance of all values of the interval.";
-const UNDECIDED: &str = "It is within the tolerance of some values of the interval only.";
-const REFUTED: &str = "It is within the tolerance of no value of the interval.";
-const OUTLINE: &str = "They may show either side of the edge.";
-const COVERED: &str = "All others show the background.";
-const WORST: &str =
-    "The largest distance from the drawn level of a proven pixel to an end of its interval.";
-const WIDEST: &str = "The length of the longest interval.";
-const REFERENCE: &str = "The largest possible error of the reference against the exact level.";
-
 impl App {
     /// Lays out the tabs and the one that is open.
     pub fn inspector(&mut self, ui: &mut Ui) {
@@ -123,36 +112,33 @@ impl App {
     }
 
     fn proof_tab(&self, ui: &mut Ui) {
-        ui.label("The exact level of each pixel is enclosed by an interval and compared with the level that is drawn.");
+        ui.label(
+            "An interval encloses the exact level of each pixel. A pixel is proven if the drawn level is within the \
+             tolerance of all of its interval, refuted if of none of it, else undecided.",
+        );
         let fact = &self.facts.proof;
         self.wait(ui, fact);
-        let row = |number: String, words: &str, says| (vec![number, words.to_owned()], says);
         let rows = fact.value.iter().flat_map(|proof| {
-            let count = |pixels: u64, words, says| row(pixels.to_string(), words, says);
-            let levels = |error: f64, words, says| row(format!("{error:.1e}"), words, says);
-            [
-                count(proof.proven, "pixels proven within the tolerance", PROVEN),
-                count(proof.undecided, "pixels undecided", UNDECIDED),
-                count(
-                    proof.refuted,
-                    "pixels refuted: above the tolerance",
-                    REFUTED,
-                ),
-                count(proof.outline, "pixels within 0.01 of an edge", OUTLINE),
-                count(proof.covered, "pixels with a cuboid", COVERED),
-                levels(proof.worst, "levels, the largest proven error", WORST),
-                levels(
-                    proof.widest_enclosure,
-                    "levels, the widest enclosure",
-                    WIDEST,
-                ),
-                levels(
-                    proof.reference_error,
+            let counts = [
+                (proof.proven, "pixels proven"),
+                (proof.undecided, "pixels undecided"),
+                (proof.refuted, "pixels refuted"),
+                (proof.outline, "pixels within 0.01 of an edge"),
+                (proof.covered, "pixels with a cuboid"),
+            ];
+            let [worst, widest] = [proof.worst, proof.widest_enclosure];
+            let levels = [
+                (format!("{worst:.6}"), "levels, the largest proven error"),
+                (format!("{widest:.1e}"), "levels, the longest interval"),
+                (
+                    format!("{:.1e}", proof.reference_error),
                     "levels, the error of the reference in f64",
-                    REFERENCE,
                 ),
-            ]
+            ];
+            let counts = counts.map(|(count, words)| (count.to_string(), words));
+            counts.into_iter().chain(levels)
         });
+        let rows = rows.map(|(number, words)| (vec![number, words.to_owned()], ""));
         Self::table(ui, "proof", fact, rows);
     }
 }

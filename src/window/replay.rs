@@ -88,9 +88,16 @@ impl<'a> Player<'a> {
 
 /// Whether one of these keys was pressed.
 pub fn is_pressed(events: &[egui::Event], keys: &[Key]) -> bool {
-    events.iter().any(|event| {
-        matches!(event, egui::Event::Key { key, pressed: true, repeat: false, .. } if keys.contains(key))
-    })
+    let mut pressed = events.iter().filter_map(|event| match event {
+        egui::Event::Key {
+            key,
+            pressed: true,
+            repeat: false,
+            ..
+        } => Some(key),
+        _ => None,
+    });
+    pressed.any(|key| keys.contains(key))
 }
 
 /// Changes the state and the size of the window as a frame says, at this time by the window's clock.
