@@ -1,5 +1,7 @@
 //! Answers about the picture belong to the picture shown, and old ones are marked as old.
 
+use std::sync::mpsc;
+
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
@@ -7,6 +9,7 @@ use shadetrade::components::{ShadingMode, Tab, View, common_mode};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::window::comparison::Comparison;
+use shadetrade::window::facts::{Question, Work, pools};
 
 use super::{PAUSE, Window};
 use crate::support::records;
@@ -24,17 +27,10 @@ fn compared(window: &Window) -> Comparison {
 
 #[test]
 fn picture_and_numbers_belong_to_the_scene_that_is_shown() {
+    use Key::{ArrowLeft, C, CloseBracket, G, O, P, W};
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::F5);
-    for key in [
-        Key::P,
-        Key::W,
-        Key::O,
-        Key::CloseBracket,
-        Key::ArrowLeft,
-        Key::C,
-        Key::G,
-    ] {
+    for key in [P, W, O, CloseBracket, ArrowLeft, C, G] {
         window.press(key);
         let fresh = compared(&window);
         assert_eq!(window.comparison().error, fresh.error, "{key:?}");
@@ -129,12 +125,27 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 }
 
 #[test]
+fn work_that_is_dropped_ends() {
+    let [pool, _] = pools().expect("the system has threads");
+    let (tell, told) = mpsc::channel();
+    let find = move |monitor: Monitor| {
+        tell.send("it begins")?;
+        while monitor.check().is_ok() {}
+        tell.send("it ends")?;
+        anyhow::bail!("nothing is found")
+    };
+    let work = Work::begin(Some(&pool), Question::Require, |it| &mut it.required, find);
+    assert_eq!(told.recv(), Ok("it begins"));
+    drop(work);
+    assert_eq!(told.recv_timeout(30 * PAUSE), Ok("it ends"));
+}
+
+#[test]
 fn different_modes_are_mixed_until_a_key_makes_them_equal() {
     let mut scene = default_scene();
     let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
-    record
-        .cuboid
-        .push(records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]));
+    let other = records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]);
+    record.cuboid.push(other);
     record.cuboid[0].shading = ShadingMode::Gouraud;
     scene = Scene::spawn(scene.name, &record);
     let mut window = Window::of(scene, SMALL);

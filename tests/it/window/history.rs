@@ -3,7 +3,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Event, Key, Modifiers};
+use egui::Key::{self, ArrowLeft, C, CloseBracket, F4, Num2, O, P, Plus, W};
+use egui::{Event, Modifiers};
 use shadetrade::components::LightKind;
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::history::History;
@@ -12,17 +13,7 @@ use super::{PAUSE, Window};
 use crate::support::records;
 use crate::support::window::default_scene;
 
-const CHANGES: [Key; 9] = [
-    Key::W,
-    Key::Num2,
-    Key::P,
-    Key::O,
-    Key::CloseBracket,
-    Key::ArrowLeft,
-    Key::Plus,
-    Key::F4,
-    Key::C,
-];
+const CHANGES: [Key; 9] = [W, Num2, P, O, CloseBracket, ArrowLeft, Plus, F4, C];
 
 #[test]
 fn changes_are_undone_and_redone_in_order() {
