@@ -127,11 +127,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_level_found_by_name_has_that_name() {
-        for asked in NAMES {
-            if let Some(level) = named(asked) {
-                assert_eq!(name(level), asked);
-            }
+    fn the_name_of_a_level_finds_that_level() {
+        for level in NAMES.into_iter().filter_map(named) {
+            let found = named(name(level)).expect("it has a name");
+            assert_eq!(discriminant(&found), discriminant(&level));
         }
     }
 
