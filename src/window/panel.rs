@@ -167,9 +167,8 @@ impl App {
                 }
             }
         });
-        let words = heading(&self.scene.text);
-        if self.file.path.is_none() && !words.is_empty() {
-            ui.weak(words);
+        if self.file.path.is_none() && self.scene.text.starts_with("# ") {
+            ui.weak(heading(&self.scene.text));
         }
         match chosen {
             Some(Ok(scene)) => self.choose(scene),
