@@ -17,7 +17,6 @@ use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 use self::aligned::Aligned;
-use self::band::FARTHEST;
 pub use self::band::NO_TRIANGLE;
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
@@ -99,13 +98,10 @@ struct Buffers {
     size: [usize; 2],
     rows: Range<usize>,
     background: DVec3,
-    /// Whether the last picture compared depths.
-    deep: bool,
     pixels: Aligned<u32>,
     levels: Aligned<[f32; 3]>,
     triangles: Aligned<u32>,
     kinds: Aligned<u8>,
-    depths: Aligned<f64>,
     /// One per row.
     drawn: Aligned<Drawn>,
 }
@@ -174,8 +170,8 @@ impl Frame {
         self.counts
     }
 
-    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. `deep` adds a depth
-    /// buffer.
+    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. A
+    /// frame of `several` cuboids needs the visible triangles.
     ///
     /// # Errors
     /// If there is too little memory. The frame is then empty.
@@ -183,32 +179,29 @@ impl Frame {
         &mut self,
         size: [usize; 2],
         rows: Range<usize>,
-        deep: bool,
+        several: bool,
     ) -> Result<(), OutOfMemory> {
         self.counts = Counts::default();
         let shown = self.keep == Keep::Display;
         let wanted = |kept: bool| if kept { size[0] * rows.len() } else { 0 };
-        let [pixels, levels, triangles, depths] = [shown, !shown, deep || !shown, deep].map(wanted);
+        let [pixels, levels, triangles] = [shown, !shown, several || !shown].map(wanted);
         let old = &self.buffers;
-        if old.size == size && old.rows == rows && old.depths.as_slice().len() == depths {
+        if old.size == size && old.rows == rows && old.triangles.as_slice().len() == triangles {
             return Ok(());
         }
         // If the allocation fails, the old picture must not be taken for the new one.
         self.buffers = Buffers::default();
         let needed = (pixels + triangles) * size_of::<u32>()
-            + levels * (size_of::<[f32; 3]>() + size_of::<u8>())
-            + depths * size_of::<f64>();
+            + levels * (size_of::<[f32; 3]>() + size_of::<u8>());
         memory::check(size, needed)?;
         let allocate = || {
             Ok(Buffers {
                 size,
                 background: DVec3::ZERO,
-                deep: false,
                 pixels: Aligned::new(pixels, 0)?,
                 levels: Aligned::new(levels, [0.0; 3])?,
                 triangles: Aligned::new(triangles, NO_TRIANGLE)?,
                 kinds: Aligned::new(levels, 0)?,
-                depths: Aligned::new(depths, FARTHEST)?,
                 drawn: Aligned::new(rows.len(), Drawn::anything(size[0]))?,
                 rows,
             })
@@ -224,15 +217,13 @@ impl Frame {
         draw: impl Fn(&DrawList, &mut Band, &mut Scratch) + Sync,
     ) {
         let (buffers, list) = (&mut self.buffers, &mut self.list);
-        // The depths of a single cuboid are not needed.
-        let deep = list.objects.len() > 1;
-        if (buffers.background, buffers.deep) != (background, deep) {
-            (buffers.background, buffers.deep) = (background, deep);
+        if buffers.background != background {
+            buffers.background = background;
             let anything = Drawn::anything(buffers.size[0]);
             buffers.drawn.as_mut_slice().fill(anything);
         }
         list.cut(&buffers.rows, self.workers.pool.is_some());
-        let mut band = Band {
+        let band = Band {
             width: buffers.size[0],
             rows: buffers.rows.clone(),
             background,
@@ -240,15 +231,8 @@ impl Frame {
             levels: buffers.levels.as_mut_slice(),
             triangles: buffers.triangles.as_mut_slice(),
             kinds: buffers.kinds.as_mut_slice(),
-            depths: buffers.depths.as_mut_slice(),
             drawn: buffers.drawn.as_mut_slice(),
         };
-        if !deep {
-            band.depths = &mut [];
-        }
-        if !deep && self.keep == Keep::Display {
-            band.triangles = &mut [];
-        }
         let list = &self.list;
         let rest = Mutex::new((band, list.cuts.iter()));
         let next = || {

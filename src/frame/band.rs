@@ -11,9 +11,6 @@ use crate::shading::display::display_pixel;
 /// The triangle of a pixel that shows the background.
 pub const NO_TRIANGLE: u32 = u32::MAX;
 
-/// The nearness of the background: less than that of any surface.
-pub const FARTHEST: f64 = f64::MIN;
-
 /// The pixels that are drawn in one row, by the last frame and by the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Drawn {
@@ -24,6 +21,8 @@ pub(crate) struct Drawn {
     /// Runs without gaps of pixels that the next frame draws: a span, or spans that meet end to end. Three faces side by
     /// side need at most two runs, in any order.
     runs: [[u32; 2]; 2],
+    /// See [`Band::overlaps`].
+    pub overlaps: bool,
 }
 
 /// An empty run, which meets no span.
@@ -36,12 +35,13 @@ impl Drawn {
             by_last: [0, width as u32],
             by_next: [width as u32, 0],
             runs: [NO_RUN; 2],
+            overlaps: false,
         }
     }
 
-    /// Records, after clearing, that pixels in from..to may be drawn.
-    pub fn drew(&mut self, from: usize, to: usize) {
-        self.by_last = joined(self.by_last, from, to);
+    /// Records, after clearing, that a span is drawn.
+    pub fn drew(&mut self, span: &Range<usize>) {
+        self.by_last = joined(self.by_last, span);
     }
 }
 
@@ -56,7 +56,6 @@ pub(crate) struct Band<'a> {
     pub triangles: &'a mut [u32],
     /// Undefined where no triangle is visible.
     pub kinds: &'a mut [u8],
-    pub depths: &'a mut [f64],
     /// One per row.
     pub drawn: &'a mut [Drawn],
 }
@@ -74,7 +73,6 @@ impl<'a> Band<'a> {
             levels: take(&mut self.levels, pixels),
             triangles: take(&mut self.triangles, pixels),
             kinds: take(&mut self.kinds, pixels),
-            depths: take(&mut self.depths, pixels),
             drawn: take(&mut self.drawn, rows),
         };
         self.rows.start = row;
@@ -82,9 +80,10 @@ impl<'a> Band<'a> {
     }
 
     /// Restores the background of some rows where the last frame drew, except in one run of each row that the next frame
-    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is its whole row.
+    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is its whole row. `overlaps` is for
+    /// [`Band::overlaps`].
     #[inline(always)]
-    pub fn clear(&mut self, rows: Range<usize>) {
+    pub fn clear(&mut self, rows: Range<usize>, overlaps: bool) {
         let pixel = display_pixel(self.background.to_array());
         let levels = self.background.as_vec3().to_array();
         let rows = rows.start - self.rows.start..rows.end - self.rows.start;
@@ -96,6 +95,7 @@ impl<'a> Band<'a> {
             } = *drawn;
             *drawn = Drawn {
                 by_last: drawn.by_next,
+                overlaps,
                 ..Drawn::anything(self.width)
             };
             let first = row * self.width;
@@ -106,18 +106,21 @@ impl<'a> Band<'a> {
                 let part = first + part.start as usize..first + part.end as usize;
                 fill(self.pixels, part.clone(), pixel);
                 fill(self.levels, part.clone(), levels);
-                fill(self.triangles, part.clone(), NO_TRIANGLE);
-                fill(self.depths, part, FARTHEST);
+                fill(self.triangles, part, NO_TRIANGLE);
             }
         }
     }
 
-    /// Records, before clearing, that every pixel of from..to in a row of the picture will be drawn.
+    /// Records, before clearing, that every pixel of a span in a row of the picture will be drawn. Runs are worth their time if a
+    /// few large faces are drawn.
     #[inline(always)]
-    pub fn will_draw(&mut self, row: usize, from: usize, to: usize) {
+    pub fn will_draw(&mut self, row: usize, span: &Range<usize>, in_runs: bool) {
         let drawn = &mut self.drawn[row - self.rows.start];
-        drawn.by_next = joined(drawn.by_next, from, to);
-        let mut span = [from as u32, to as u32];
+        drawn.by_next = joined(drawn.by_next, span);
+        if !in_runs {
+            return;
+        }
+        let mut span = [span.start as u32, span.end as u32];
         for run in &mut drawn.runs {
             if run[1] == span[0] || span[1] == run[0] {
                 span = [run[0].min(span[0]), run[1].max(span[1])];
@@ -128,6 +131,11 @@ impl<'a> Band<'a> {
         if let Some(place) = drawn.runs.iter_mut().find(|run| **run == NO_RUN) {
             *place = span;
         }
+    }
+
+    /// Whether pieces overlap in the strip of a row of the picture. If not, nothing is hidden, and ids need not be known.
+    pub fn overlaps(&self, row: usize) -> bool {
+        self.drawn[row - self.rows.start].overlaps
     }
 
     /// The part of `rows` of the picture that lies in this band.
@@ -148,8 +156,11 @@ impl<'a> Band<'a> {
 }
 
 /// The smallest range that holds both ranges.
-fn joined(range: [u32; 2], from: usize, to: usize) -> [u32; 2] {
-    [range[0].min(from as u32), range[1].max(to as u32)]
+fn joined(range: [u32; 2], span: &Range<usize>) -> [u32; 2] {
+    [
+        range[0].min(span.start as u32),
+        range[1].max(span.end as u32),
+    ]
 }
 
 /// Takes the first elements of a slice, if it has any.
@@ -185,13 +196,12 @@ mod tests {
             levels: &mut [],
             triangles: &mut [],
             kinds: &mut [],
-            depths: &mut [],
             drawn: &mut [Drawn::anything(WIDTH)],
         };
         for &[from, to] in spans {
-            band.will_draw(0, from, to);
+            band.will_draw(0, &(from..to), true);
         }
-        band.clear(0..1);
+        band.clear(0..1, false);
         pixels
     }
 

@@ -168,6 +168,9 @@ pub struct Scratch {
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,
     pub tiles: TileScratch,
+    /// A strip of the picture: a bit for each pixel that is covered, and the nearness of the visible pieces.
+    pub covered: Vec<u64>,
+    pub depths: Vec<f64>,
 }
 
 /// The memory for four squares of a face, and the counts of all work so far.

@@ -5,8 +5,8 @@
 //!                                  '-- of a face of at most 16 x 16 pixels: the visible pixels, one by one --'
 //! ```
 //! A pixel is covered if its centre is inside the snapped polygon, or on its top or left edge. The arithmetic is in integers
-//! and exact, so each pixel along a shared edge is drawn once. Depths are compared only if more than one cuboid is in the
-//! picture, and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by
+//! and exact, so each pixel along a shared edge is drawn once. Depths are compared only in strips of 32 rows in which faces
+//! overlap, and then only visible faces and squares are shaded. A picture is cleared, compared in depth and shaded strip by
 //! strip, so that a strip stays in a cache. Shading is set up from all the pixels that a face or square covers, so the bits of
 //! a picture do not depend on threads, strips or the part of the picture that is drawn.
 
@@ -17,11 +17,12 @@ mod quadtree;
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f64x8, mask32x8, u32x8};
+use fearless_simd::{Simd, f64x8, mask32x8, mask64x8, u32x8};
 use hecs::World;
 
 use crate::components::View;
-use crate::frame::{Band, DrawList, Frame, Piece};
+use crate::frame::{Band, DrawList, Frame, NO_TRIANGLE, Piece};
+use crate::shading::Scratch;
 use crate::shading::affine::Affine;
 use crate::shading::square::MAX_SIDE;
 use crate::simd::{dispatch, inlined};
@@ -30,6 +31,9 @@ use crate::simd::{dispatch, inlined};
 /// rounding would make coplanar faces flicker. Each face is compared with the nearest one so far, in the
 /// order of the file. If a face ties with two others that do not tie with each other, that order decides which is visible.
 const DEPTH_TIE: f64 = 1e-11;
+
+/// The nearness of the background: less than that of any surface.
+const FARTHEST: f64 = f64::MIN;
 
 /// Draws every cuboid into the frame in four steps. Lists the faces and their pixels, and sorts them into strips of the
 /// picture. Then, in each strip, compares depths and shades.
@@ -40,7 +44,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     frame.paint(view.background, |list, band, scratch| {
         for strip in band.rows.start / MAX_SIDE..band.rows.end.div_ceil(MAX_SIDE) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
-            dispatch!(level, simd => compare(simd, list, strip, &rows, band));
+            dispatch!(level, simd => compare(simd, list, strip, &rows, band, scratch));
             for piece in list.strip(strip) {
                 // A piece is drawn after its last strip in this band is compared.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
@@ -51,32 +55,50 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     });
 }
 
-/// Clears the rows of a strip, and writes the id of the visible piece at each pixel if the band keeps ids.
+/// Clears the rows of a strip. Where pieces overlap in it, or the frame keeps ids, writes the id of the visible piece at each
+/// pixel.
 #[inline(always)]
-fn compare<S: Simd>(simd: S, list: &DrawList, strip: usize, rows: &Range<usize>, band: &mut Band) {
-    let (deep, middle) = (!band.depths.is_empty(), list.rays.lens.half);
-    if !deep {
-        for piece in list.strip(strip) {
-            for (row, span) in list.spans(piece).within(rows) {
-                band.will_draw(row, span.start, span.end);
-            }
-        }
-    }
-    band.clear(rows.clone());
-    if band.triangles.is_empty() {
+fn compare<S: Simd>(
+    simd: S,
+    list: &DrawList,
+    strip: usize,
+    rows: &Range<usize>,
+    band: &mut Band,
+    scratch: &mut Scratch,
+) {
+    let several = list.objects.len() > 1;
+    let words = band.width.div_ceil(64);
+    scratch.covered.clear();
+    scratch.covered.resize(rows.len() * words, 0);
+    let overlaps = list.strip(strip).any(|piece| {
+        let spans = list.spans(piece);
+        spans.within(rows).any(|(row, span)| {
+            band.will_draw(row, &span, !several);
+            let first = (row - rows.start) * words;
+            several && cover(&mut scratch.covered[first..first + words], span)
+        })
+    });
+    band.clear(rows.clone(), overlaps);
+    if overlaps {
+        let depths = &mut scratch.depths;
+        depths.resize(depths.len().max(rows.len() * band.width), FARTHEST);
+    } else if band.levels.is_empty() {
         return;
     }
+    let middle = list.rays.lens.half;
     for piece in list.strip(strip) {
         for (row, span) in list.spans(piece).within(rows) {
             let pixels = band.indices(row, &span);
-            let ids = &mut band.triangles[pixels.clone()];
-            if deep {
-                band.drawn[row - band.rows.start].drew(span.start, span.end);
+            let ids = &mut band.triangles[pixels];
+            if overlaps {
                 let place = [
                     span.start as f64 + 0.5 - middle[0],
                     row as f64 + 0.5 - middle[1],
                 ];
-                see(simd, piece, place, &mut band.depths[pixels], ids);
+                let start = (row - rows.start) * band.width;
+                let depths = &mut scratch.depths[start + span.start..start + span.end];
+                see(simd, piece, place, depths, ids);
+                band.drawn[row - band.rows.start].drew(&span);
             } else {
                 ids.fill(piece.id);
             }
@@ -84,8 +106,27 @@ fn compare<S: Simd>(simd: S, list: &DrawList, strip: usize, rows: &Range<usize>,
     }
 }
 
-/// Writes a span of a piece into the depth buffer where it is nearest; `place` is its first pixel, relative to the middle of
-/// the picture.
+/// Sets the bits of a span in a row of pixels. Returns whether one of them was set.
+#[inline(always)]
+fn cover(row: &mut [u64], span: Range<usize>) -> bool {
+    let [first, last] = [span.start, span.end - 1];
+    let mut overlap = 0;
+    for word in first / 64..=last / 64 {
+        let mut bits = u64::MAX;
+        if word == first / 64 {
+            bits <<= first % 64;
+        }
+        if word == last / 64 {
+            bits &= u64::MAX >> (63 - last % 64);
+        }
+        overlap |= row[word] & bits;
+        row[word] |= bits;
+    }
+    overlap != 0
+}
+
+/// Writes a span of a piece into the depth buffer of a strip where it is nearest; `place` is its first pixel, relative to the
+/// middle of the picture. Depths of earlier strips are left where no piece is visible yet.
 #[inline(always)]
 fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
     let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);
@@ -99,12 +140,13 @@ fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64],
         // NaN becomes the least.
         let new = new.simd_gt(range[0]).select(new, splat(range[0]));
         let new = new.simd_lt(range[1]).select(new, splat(range[1]));
-        let old = f64x8::simd_from(simd, *olds);
+        let old_ids = u32x8::simd_from(simd, *ids);
+        let is_free = mask64x8::from_bitmask(simd, old_ids.simd_eq(NO_TRIANGLE).to_bitmask());
+        let old = is_free.select(splat(FARTHEST), f64x8::simd_from(simd, *olds));
         let nearer = (new - old).simd_gt(splat(DEPTH_TIE) * old.abs());
         *olds = *nearer.select(new, old);
         let nearer = mask32x8::from_bitmask(simd, nearer.to_bitmask());
-        let own = u32x8::splat(simd, piece.id);
-        *ids = *nearer.select(own, u32x8::simd_from(simd, *ids));
+        *ids = *nearer.select(u32x8::splat(simd, piece.id), old_ids);
         x += 8.0;
     }
     // The rest of the span, by the same operations.
@@ -113,7 +155,8 @@ fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64],
         let new = start + dx * x;
         let new = if new > range[0] { new } else { range[0] };
         let new = if new < range[1] { new } else { range[1] };
-        if new - *old > DEPTH_TIE * old.abs() {
+        let depth = if *id == NO_TRIANGLE { FARTHEST } else { *old };
+        if new - depth > DEPTH_TIE * depth.abs() {
             (*old, *id) = (new, piece.id);
         }
         x += 1.0;

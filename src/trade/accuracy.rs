@@ -26,8 +26,8 @@ use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::systems;
 
-/// The most bytes for a pixel: a reference picture, a frame with depths, and a list of errors.
-const BYTES: usize = 28 + 25 + 8;
+/// The most bytes for a pixel: a reference picture, a frame, and a list of errors.
+const BYTES: usize = 28 + 17 + 8;
 /// The bytes that a report adds: two reference pictures, a map for each method, and FLIP.
 const BYTES_OF_REPORT: usize = 2 * 28 + 4 * METHODS.len() + flip::BYTES_PER_PIXEL;
 

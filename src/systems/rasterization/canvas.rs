@@ -1,6 +1,6 @@
 //! Writes the pixels of a square into a band, as displayed bytes or as levels.
 //!
-//! Only covered pixels in the rows of the band are written, and with a depth buffer only those that show this face.
+//! Only covered pixels in the rows of the band are written, and with several cuboids only those that show this face.
 
 use std::ops::Range;
 
@@ -33,13 +33,13 @@ impl Canvas<'_, '_> {
     #[inline(always)]
     pub fn seen_pixels(&self, square: &Square) -> usize {
         let rows = self.rows(square);
-        let is_shown = self.band.depths.is_empty() && rows == square.covered_rows();
+        let is_shown = self.band.triangles.is_empty() && rows == square.covered_rows();
         if is_shown || square.pixels == 0 {
             return square.pixels;
         }
         let spans = self.spans.clipped(rows, square.columns);
         let seen = spans.map(|(row, span)| {
-            if self.band.depths.is_empty() {
+            if !self.band.overlaps(row) {
                 return span.len();
             }
             let ids = self.band.triangles[self.band.indices(row, &span)].iter();
@@ -134,7 +134,7 @@ impl Canvas<'_, '_> {
     #[inline(always)]
     fn seen_lanes<S: Simd>(&self, simd: S, first: usize, row: usize, span: Range<usize>) -> u32 {
         let covered = (1 << (span.end - first)) - (1 << (span.start - first));
-        if self.band.triangles.is_empty() {
+        if !self.band.overlaps(row) {
             return covered;
         }
         let ids = &self.band.triangles[self.band.index(first, row)..];

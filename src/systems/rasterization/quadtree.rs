@@ -31,6 +31,7 @@ impl DrawList {
             lights,
             to_lights,
             tiles: scratch,
+            ..
         } = scratch;
         let spans = self.spans(piece);
         // A piece that fits into the smallest square is drawn as one.

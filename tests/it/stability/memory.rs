@@ -54,12 +54,12 @@ fn a_warm_frame_on_several_threads_allocates_nothing() {
 
 #[test]
 fn a_picture_that_memory_cannot_hold_names_its_bytes() {
-    // Pixels take 4 bytes, levels 12, kinds 1, triangles 4 and depths 8.
+    // Pixels take 4 bytes, levels 12, kinds 1 and triangles 4.
     for (keep, cuboids, bytes) in [
         (Keep::Display, 1, 4),
-        (Keep::Display, 2, 16),
+        (Keep::Display, 2, 8),
         (Keep::Levels, 1, 17),
-        (Keep::Levels, 2, 25),
+        (Keep::Levels, 2, 17),
     ] {
         let mut frame = Frame::new(keep, Workers::alone(Level::new()));
         let view = views([1 << 20, 1 << 20]).swap_remove(0);
