@@ -17,6 +17,7 @@ use crate::components::{
     FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
 };
 use crate::frame::NO_TRIANGLE;
+use crate::memory;
 use crate::report::Monitor;
 
 /// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
@@ -270,7 +271,7 @@ impl<R: Real> ReferenceCuboid<R> {
 /// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
 ///
 /// # Errors
-/// If the work is cancelled.
+/// If the work is cancelled, or the picture does not fit in memory.
 pub fn picture(
     world: &World,
     view: &View,
@@ -279,11 +280,14 @@ pub fn picture(
 ) -> anyhow::Result<Truth> {
     let reference = Reference::<f64>::new(world, view);
     let ([width, height], above) = (view.size, rows.start);
+    let size = [width, rows.len()];
     let mut truth = Truth {
         width,
-        levels: vec![[0.0; 3]; width * rows.len()],
-        triangles: vec![NO_TRIANGLE; width * rows.len()],
+        levels: memory::reserve_pixels(size)?,
+        triangles: memory::reserve_pixels(size)?,
     };
+    truth.levels.resize(width * rows.len(), [0.0; 3]);
+    truth.triangles.resize(width * rows.len(), NO_TRIANGLE);
     let levels = truth.levels.par_chunks_mut(width);
     let triangles = truth.triangles.par_chunks_mut(width);
     let rows = rows.into_par_iter().zip(levels.zip(triangles));

@@ -94,6 +94,9 @@ impl SceneFile {
                     "the file has an error, and saving would lose its text; Ctrl Shift S saves to a new one"
                 )
             }
+            Some(path) if stamp(&path) != self.seen => {
+                bail!("another program changed the file, which is read again first")
+            }
             Some(path) => {
                 Output::File(path.clone()).write(&text)?;
                 path

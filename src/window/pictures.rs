@@ -61,7 +61,7 @@ impl Pictures {
         view: &View,
     ) -> Result<(), OutOfMemory> {
         self.time = None;
-        if viewer.show == ViewMode::Wipe {
+        if viewer.show == ViewMode::Wipe && viewer.sides != [Side::Reference; 2] {
             for (side, pixels) in viewer.sides.iter().zip(&mut self.sides) {
                 if let Some(view) = side_view(side, view) {
                     systems::draw(world, &view, &mut self.frame)?;

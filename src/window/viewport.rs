@@ -26,7 +26,8 @@ impl App {
         self.place = Rect::from_min_max(whole(free.min), whole(free.max));
         ui.set_clip_rect(self.place);
         let picture = ui.interact(self.place, ui.id().with("picture"), Sense::click_and_drag());
-        if picture.dragged_by(PointerButton::Primary) {
+        let is_moved = picture.drag_delta() != Vec2::ZERO;
+        if picture.dragged_by(PointerButton::Primary) && is_moved {
             let [width, height] = self.picture_size();
             let degrees = DRAG_TURN / width.min(height) as f64;
             // The cuboid follows the mouse, so the camera goes the other way.

@@ -174,6 +174,8 @@ impl Window {
         for step in 1..=steps {
             self.point_at(from + (to - from) * (step as f32 / steps as f32));
         }
+        // The mouse rests before the button is released.
+        self.point_at(to);
         self.button(to, false);
     }
 

@@ -190,6 +190,8 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
         .1
         .replace("size = [4.0, 3.0, 2.0]", "size = [5.0, 3.25, 2.0]");
     fs::write(&path, text).expect("written");
+    save(&mut window);
+    assert!(window.message().starts_with("not saved"), "it was not read");
     window.wait(PAUSE);
     let record = window.record();
     assert_eq!(record.cuboid[0].size.to_array(), [5.0, 3.25, 2.0]);

@@ -81,6 +81,7 @@ fn a_drag_turns_the_camera_equally_far_in_one_step_or_many() {
         window.drag(at, at + vec2(100.0, 50.0), steps);
         let orbit = window.record().camera[0].orbit;
         assert!(orbit.azimuth < 0.0 && orbit.elevation > 0.0);
+        assert_eq!(window.message(), "", "no limit was reached");
         window.point_at(at);
         assert_eq!(window.record().camera[0].orbit, orbit, "the button is up");
         turned.push([orbit.azimuth, orbit.elevation]);

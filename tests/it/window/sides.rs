@@ -5,7 +5,8 @@ use std::time::Duration;
 use egui::Key;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Side, Tab};
+use shadetrade::components::{ShadingMode, Side, Tab, ViewMode};
+use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::shading::METHODS;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::metrics::ErrorStatistics;
@@ -94,6 +95,17 @@ fn two_pictures_take_turns_while_a_key_is_held() {
         }
         window.key(Key::B, false);
         assert!(window.app.shown() == before);
+    }
+}
+
+#[test]
+fn a_wipe_of_the_reference_against_itself_shows_it_at_any_size() {
+    let mut record = SceneRecord::of(&default_scene().world);
+    (record.view.show, record.view.sides) = (ViewMode::Wipe, [Side::Reference; 2]);
+    let mut window = Window::of(Scene::spawn("both".to_owned(), &record), SIZE);
+    for key in [Key::ArrowLeft, Key::E] {
+        window.press(key);
+        assert!(*window.app.shown() == window.comparison().exact);
     }
 }
 
