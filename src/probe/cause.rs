@@ -103,7 +103,7 @@ impl DrawnPixel {
             }
             (ShadingMode::Gouraud, _) => format!(
                 "No evaluation of the model: the levels of three vertices are interpolated. In the square around this \
-                 pixel a {kind} colour is certified within {within}."
+                 pixel a polynomial ({kind}) is certified within {within}."
             ),
             (_, TileKind::PerPixel) => {
                 "An evaluation of the model, as at every pixel of its square.".to_owned()
@@ -112,7 +112,7 @@ impl DrawnPixel {
                 "An evaluation of the model in f64, as at every pixel of its square.".to_owned()
             }
             _ => format!(
-                "Nine evaluations of the model in the square around this pixel. The {kind} colour through them is \
+                "Nine evaluations of the model in the square around this pixel. A polynomial through them ({kind}) is \
                  certified within {within}."
             ),
         }

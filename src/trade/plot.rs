@@ -4,7 +4,7 @@
 //!  levels |----o gouraud                 o  on the front, which is the line
 //!         |    |            x            x  beaten by another method
 //!         |    +------o phong-0.5
-//!         +--------------------- ns per covered pixel
+//!         +--------------------- ms a frame
 //! ```
 //! Both axes are logarithmic. An error below [`FLOOR`], also zero, is drawn there.
 
@@ -27,7 +27,7 @@ const SIZE: (u32, u32) = (960, 600);
 /// One method in the plot.
 struct Dot<'a> {
     measured: &'a Measurement,
-    /// ns per covered pixel.
+    /// Milliseconds of a frame.
     time: f64,
     /// Levels, at least [`FLOOR`].
     error: f64,
@@ -39,7 +39,7 @@ impl<'a> Dot<'a> {
     fn of(measured: &'a Measurement) -> Option<Self> {
         Some(Dot {
             measured,
-            time: measured.ns_per_covered_pixel.filter(|time| *time > 0.0)?,
+            time: Some(measured.timing.median).filter(|time| *time > 0.0)?,
             error: measured.largest_error()?.max(FLOOR),
             color: match measured.method.mode {
                 ShadingMode::Gouraud => BLUE,
@@ -79,17 +79,15 @@ fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
     // Room for labels.
     let times = least / 1.5..times.fold(0.0, f64::max) * 1.5;
     let axes = [
-        ("time: ns per covered pixel", times.clone()),
+        ("time: ms a frame", times.clone()),
         ("largest error against exact Phong: levels of 255", ERRORS),
     ];
     let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes)?;
     let front = front(points, times.end);
     chart.draw_series([PathElement::new(front, FAINT.stroke_width(2))])?;
     for point in points {
-        let timing = &point.measured.timing;
-        let scale = point.time / timing.median;
-        let within = |end: f64| ((end * scale).clamp(times.start, times.end), point.error);
-        let ends = timing.interval.map(within);
+        let within = |end: f64| (end.clamp(times.start, times.end), point.error);
+        let ends = point.measured.timing.interval.map(within);
         chart.draw_series([PathElement::new(ends, point.color.stroke_width(1))])?;
     }
     let plot = chart.plotting_area();
@@ -113,15 +111,16 @@ fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
 /// The left, right and upper edge of a point's label, within these `columns`.
 ///
 /// On the front a label is below its point, to the left: a point there would beat this one. Other labels are above their
-/// points, to the right. A label that would cover one of the `taken` places moves up.
+/// points, to the right. A label that would cover one of the `taken` places moves away
+/// from the points.
 fn label(point: &Dot, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3]]) -> [i32; 3] {
     // The letters of a monospaced font are 0.6 times as wide as high.
     let width = (0.6 * LABEL * point.measured.method.id.len() as f64).ceil() as i32 + 4;
     let height = (1.25 * LABEL) as i32;
-    let (left, mut top) = if point.measured.on_front {
-        (x - width - 4, y + 4)
+    let (left, mut top, step) = if point.measured.on_front {
+        (x - width - 4, y + 4, 1)
     } else {
-        (x + 6, y - 4 - height)
+        (x + 6, y - 4 - height, -1)
     };
     let left = left.min(columns.end - width).max(columns.start + 2);
     let right = left + width;
@@ -131,7 +130,7 @@ fn label(point: &Dot, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3
         })
     };
     while is_taken(top) {
-        top -= 1;
+        top += step;
     }
     [left, right, top]
 }

@@ -232,21 +232,46 @@ impl App {
     }
 }
 
-/// The key of the first difference between two records as JSON, in words: "light white on".
-pub(super) fn difference<'a>(before: &'a Value, after: &'a Value) -> String {
-    let patch = json_patch::diff(before, after);
-    let path = patch.first().map(|change| change.path().to_string());
-    let path = path.unwrap_or_default();
-    let keys: Vec<&str> = path.split('/').skip(1).collect();
-    let entity = keys[..keys.len().min(2)].join("/");
-    let name = |record: &'a Value| record.pointer(&format!("/{entity}/name"))?.as_str();
-    let name = name(before).or_else(|| name(after));
-    let mut words = keys;
-    words.retain(|key| key.parse::<usize>().is_err());
-    if let Some(name) = name {
-        words.insert(1, name);
+/// The differences between two records as JSON, in words: "light white on", "shading of several", "several changes".
+pub(super) fn difference(before: &Value, after: &Value) -> String {
+    let patch = json_patch::diff(&by_name(before), &by_name(after));
+    let mut paths = patch.iter().map(|change| {
+        let keys = change.path().tokens().map(|key| key.decoded().into_owned());
+        // Without the places of the numbers of a vector. The name of an entity may be a number.
+        let keys = keys
+            .enumerate()
+            .filter(|(depth, key)| *depth == 1 || key.parse::<u8>().is_err());
+        keys.map(|(_, key)| key).collect::<Vec<String>>()
+    });
+    let mut words = paths.next().unwrap_or_default();
+    let mut last = words.last().cloned();
+    for path in paths {
+        let common = words
+            .iter()
+            .zip(&path)
+            .take_while(|(one, other)| one == other);
+        words.truncate(common.count());
+        last.take_if(|last| path.last() != Some(last));
     }
-    words.join(" ")
+    match (&*words, last) {
+        ([kind, name, ..], _) if name.starts_with(kind) => words[1..].join(" "),
+        ([_, _, ..], _) => words.join(" "),
+        ([only], Some(key)) if *only == key => key,
+        (_, Some(key)) => format!("{key} of several"),
+        _ => "several changes".to_owned(),
+    }
+}
+
+/// A record with its entities by name in place of lists.
+fn by_name(record: &Value) -> Value {
+    let mut record = record.clone();
+    for kind in ["cuboid", "light", "camera"] {
+        let all = record[kind].as_array().into_iter().flatten();
+        let name = |it: &Value| it["name"].as_str().unwrap_or_default().to_owned();
+        record[kind] = all.map(|it| (name(it), it.clone())).collect();
+    }
+    record["background"] = json!(record["background"].to_string());
+    record
 }
 
 /// Whether a key presses or moves the widget with the focus, or goes to the next one.

@@ -57,7 +57,7 @@ impl App {
         });
         let caption = ui.small(match (self.facts.trade.is_current, self.progress()) {
             (false, Some((step, _))) => step,
-            (false, None) => "measured in another view; new times follow".to_owned(),
+            (false, None) => "measured before the last change; new times follow".to_owned(),
             _ => "up: error, levels; right: ms a frame".to_owned(),
         });
         caption.on_hover_text(CAPTION);

@@ -1,5 +1,6 @@
 //! The state of the window that is not the scene's: nothing of it changes the picture that is judged.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
@@ -24,8 +25,8 @@ pub struct Desk {
     pub message: Option<Message>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
-    /// The file that was open before another scene was chosen.
-    pub last_file: Option<String>,
+    /// The folder of the file that was open before another scene was chosen.
+    pub last_folder: Option<PathBuf>,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityPlace>,
     /// The side of a wipe whose worst pixel is sought, 0 for the picture, until the errors are known.

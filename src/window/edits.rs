@@ -1,5 +1,6 @@
 //! Edits of the scene and its file: which of them are not saved, saving, and reading the file again.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::Context;
@@ -49,8 +50,8 @@ impl App {
                 if let Some(told) = told {
                     self.say(told);
                 }
-                if self.file.path.is_some() {
-                    self.desk.last_file = Some(self.scene.name.clone());
+                if let Some(path) = &self.file.path {
+                    self.desk.last_folder = path.parent().map(Path::to_path_buf);
                 }
                 self.open(scene);
             }

@@ -1,5 +1,6 @@
 //! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -117,7 +118,9 @@ impl SceneFile {
     /// If it cannot be written.
     pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
-        write_new(folder, &format!("{}-unsaved", self.stem), &text)
+        let stem = self.path.as_deref().and_then(Path::file_stem);
+        let stem = stem.map_or(self.stem.as_str().into(), OsStr::to_string_lossy);
+        write_new(folder, &format!("{stem}-unsaved"), &text)
     }
 }
 

@@ -18,7 +18,7 @@ use crate::trade::verdict::method_name;
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 213.0;
 const USUAL: f32 = 300.0;
-/// The part of the width that each of two sides takes at most is one in this many: 960x720 shows the whole default scene.
+/// The part of the width that each of two sides takes is one in this many: 960x720 shows the whole default scene.
 const SHARED: f32 = 4.5;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
@@ -40,10 +40,15 @@ impl App {
         let has_inspector = self.viewer().inspector.is_some();
         let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
         let is_shared = has_panel && has_inspector;
-        let most = width / if is_shared { SHARED } else { 2.0 };
+        let most = width / if is_shared { 4.0 } else { 2.0 };
+        let usual = USUAL.min(if is_shared { width / SHARED } else { most });
         // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
-        let id = |name: &str| Id::new((name, most.min(USUAL) as u32));
-        let side = |panel: Panel| panel.default_size(USUAL).size_range(LEAST.min(most)..=most);
+        let id = |name: &str| Id::new((name, usual as u32));
+        let side = |panel: Panel| {
+            panel
+                .default_size(usual)
+                .size_range(LEAST.min(usual)..=most)
+        };
         if has_panel {
             side(Panel::left(id("panel"))).show_inside(ui, |ui| {
                 let scroll = ScrollArea::both().auto_shrink(false);

@@ -20,7 +20,7 @@ const UNIT: f32 = 110.0;
 const NORMAL: Color32 = Color32::WHITE;
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
-/// The disc of a light. That of a light out of sight is at the border of the picture.
+/// The disc of a light. That of a light out of sight is small, and at the border of the picture.
 pub struct Disc {
     pub name: String,
     /// Its middle in the window.
@@ -38,7 +38,9 @@ impl Disc {
         let on = (self.color, (1.5, Color32::from_gray(16)));
         let off = (Color32::from_black_alpha(120), (2.0, self.color));
         let (fill, line) = if self.is_on { on } else { off };
-        painter.circle(self.at, RADIUS, fill, line);
+        let is_in_sight = self.moved == Some(Vec2::ZERO);
+        let radius = if is_in_sight { RADIUS } else { RADIUS / 2.0 };
+        painter.circle(self.at, radius, fill, line);
         let (align, side) = if self.at.x > area.center().x {
             (Align2::RIGHT_CENTER, -1.0)
         } else {

@@ -2,6 +2,9 @@
 //!
 //! It shows widgets for components of the World, and writes their new values.
 
+use std::fs;
+use std::path::{Path, PathBuf};
+
 use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, Ui};
 use hecs::Entity;
 
@@ -22,6 +25,9 @@ const TOLERANCE: [&str; 3] = [
     "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
      A coarser tolerance is faster, and 0 is exact.",
 ];
+
+/// Files of this size, in bytes, are not listed: their texts are read each time the list is shown.
+const LARGE: u64 = 1 << 20;
 
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {
@@ -156,12 +162,13 @@ impl App {
 
     fn scene_rows(&mut self, ui: &mut Ui) {
         let mut chosen = None;
-        let last = self.desk.last_file.as_deref();
-        let last = last.map(|name| (name, "# The file that was open before."));
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            for (name, text) in last.iter().chain(&BUILT_IN).chain(EXTREMES) {
-                let row = ui.selectable_label(self.scene.name == *name, *name);
+            let files = self.scene_files();
+            let files = files.iter().map(|(name, text)| (&**name, &**text));
+            let built_in = BUILT_IN.iter().chain(EXTREMES).copied();
+            for (name, text) in files.chain(built_in) {
+                let row = ui.selectable_label(self.scene.name == name, name);
                 if row.on_hover_text(heading(text)).clicked() {
                     chosen = Some(Scene::load(Some(name)));
                 }
@@ -187,6 +194,26 @@ impl App {
                 self.offer(ui, action, false);
             }
         });
+    }
+
+    /// The names and texts of the scenes in the folder of the open file, or of the last one.
+    fn scene_files(&self) -> Vec<(String, String)> {
+        let own = self.file.path.as_deref().and_then(Path::parent);
+        let folder = own.or(self.desk.last_folder.as_deref());
+        let folder = folder.unwrap_or(&self.folder);
+        let entries = fs::read_dir(Path::new(".").join(folder));
+        let names = entries.into_iter().flatten().flatten();
+        let mut paths: Vec<_> = names.map(|it| folder.join(it.file_name())).collect();
+        paths.sort();
+        let scene = |path: PathBuf| {
+            let found = fs::metadata(&path).ok()?;
+            let is_small = found.is_file() && found.len() < LARGE;
+            let is_named = path.extension()? == "toml";
+            let text = (is_small && is_named).then(|| fs::read_to_string(&path))?;
+            let text = text.ok().filter(|text| text.contains("[[cuboid]]"))?;
+            Some((path.to_str()?.to_owned(), text))
+        };
+        paths.into_iter().filter_map(scene).collect()
     }
 }
 

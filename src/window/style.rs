@@ -40,6 +40,8 @@ pub fn apply(context: &Context) {
             };
         }
         style.spacing.item_spacing = egui::vec2(6.0, 4.0);
+        // Bars in sight say that there is more.
+        style.spacing.scroll = egui::style::ScrollStyle::thin();
         style.spacing.slider_width = 110.0;
         style.spacing.combo_width = 110.0;
         style.visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(200);

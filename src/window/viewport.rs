@@ -25,7 +25,10 @@ impl App {
         let whole = |at: Pos2| (at * scale).round() / scale;
         self.place = Rect::from_min_max(whole(free.min), whole(free.max));
         ui.set_clip_rect(self.place);
-        let picture = ui.interact(self.place, ui.id().with("picture"), Sense::click_and_drag());
+        // At its sides the panels are resized.
+        let grab = vec2(ui.style().interaction.resize_grab_radius_side, 0.0);
+        let area = self.place.shrink2(grab);
+        let picture = ui.interact(area, ui.id().with("picture"), Sense::click_and_drag());
         let is_moved = picture.drag_delta() != Vec2::ZERO;
         if picture.dragged_by(PointerButton::Primary) && is_moved {
             let [width, height] = self.picture_size();

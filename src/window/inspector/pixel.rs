@@ -1,7 +1,7 @@
 //! The pixel's tab: the drawn and the exact levels, the cause of their difference, the levels along the row, every number.
 
 use egui::color_picker::show_color;
-use egui::{Color32, Grid, Label, RichText, StrokeKind, Ui, vec2};
+use egui::{CollapsingHeader, Color32, Grid, Label, RichText, StrokeKind, Ui, vec2};
 
 use crate::components::range::Shininess;
 use crate::components::{Material, Name, ShadingMode};
@@ -14,6 +14,8 @@ use crate::window::app::App;
 use crate::window::style::{BAD, STALE};
 use crate::window::widgets::slider;
 
+/// The length of a line of numbers, in font sizes.
+const LINE: f32 = 45.0 * 0.61;
 const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0 to 1e6."];
 
 impl App {
@@ -66,8 +68,10 @@ impl App {
             slider(ui, SHININESS, &mut material.shininess, range, 0.1);
         }
         let text = probe.lines().join("\n");
-        ui.collapsing("every number", |ui| {
-            ui.add(Label::new(RichText::new(text).small().monospace()).extend());
+        let numbers = CollapsingHeader::new("every number");
+        numbers.show_unindented(ui, |ui| {
+            let size = (ui.available_width() / LINE).clamp(9.0, 11.0);
+            ui.add(Label::new(RichText::new(text).size(size).monospace()).extend());
         });
     }
 }

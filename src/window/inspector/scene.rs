@@ -45,6 +45,7 @@ impl App {
         let selected = self.desk.selected.filter(|it| count(it.0) > 0);
         let mut selected = selected.unwrap_or(("cuboid", 0));
         selected.1 = selected.1.min(count(selected.0) - 1);
+        let known = selected;
         let can_delete = selected.0 == "light" || count(selected.0) > 1;
         let buttons = ui.horizontal(|ui| {
             let copy = ui.small_button("copy");
@@ -72,8 +73,12 @@ impl App {
         }
         if deletes {
             all.remove(place);
+            place = place.min(all.len().saturating_sub(1));
         }
-        self.desk.selected = Some((kind, place));
+        // After an undo the last entity may stand for one that a redo brings back.
+        if (kind, place) != known {
+            self.desk.selected = Some((kind, place));
+        }
         if is_viewed {
             scene["view"]["camera"] = json!(viewed);
         }
@@ -156,8 +161,15 @@ fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
     let entities: Vec<_> = kinds.flat_map(of_kind).collect();
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     // The keys of an entity stay in sight below.
-    let most = (ui.ctx().content_rect().height() - 570.0).max(150.0);
-    let scroll = ScrollArea::vertical().id_salt("entities").max_height(most);
+    let most = (ui.ctx().content_rect().height() - 420.0).max(150.0);
+    let mut scroll = ScrollArea::vertical().id_salt("entities").max_height(most);
+    // An entity that was selected elsewhere comes in sight.
+    let id = ui.id().with("selected");
+    let place = entities.iter().position(|(place, _)| place == selected);
+    if ui.data(|data| data.get_temp(id)) != Some(place) {
+        let above = place.unwrap_or(0) as f32 * (height + ui.spacing().item_spacing.y);
+        scroll = scroll.vertical_scroll_offset((above - most / 2.0).max(0.0));
+    }
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
         for (place, name) in &entities[rows] {
             let row = Button::selectable(selected == place, *name).shortcut_text(place.0);
@@ -167,6 +179,8 @@ fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
             }
         }
     });
+    let place = entities.iter().position(|(place, _)| place == selected);
+    ui.data_mut(|data| data.insert_temp(id, place));
 }
 
 /// A row for the value of a key. A table has a row for each of its keys.

@@ -67,9 +67,9 @@ fn unit_vectors_are_as_short_as_their_mean() {
 fn the_cost_is_that_of_the_square() {
     use ShadingMode::{Gouraud, Phong, UnitVectors};
     for (mode, kind, words) in [
-        (Phong, Quadratic, ["Nine", "quadratic colour"]),
+        (Phong, Quadratic, ["Nine", "(quadratic)"]),
         (Phong, PerPixel, ["An evaluation", "every pixel"]),
-        (Gouraud, Linear, ["No evaluation", "linear colour"]),
+        (Gouraud, Linear, ["No evaluation", "(linear)"]),
         (Gouraud, PerPixel, ["No evaluation", "every pixel"]),
         (UnitVectors, InF64, ["An evaluation", "f64"]),
     ] {

@@ -52,24 +52,6 @@ fn no_square_reaches_beyond_the_edges_of_its_face() {
 }
 
 #[test]
-fn pixels_are_displayed_levels_up_to_the_last_corner() {
-    // A square face covers all of the picture. Its last square is narrower than the SIMD lanes.
-    let mut world = World::new();
-    let material = Material {
-        ambient: DVec3::X,
-        ..MATERIAL
-    };
-    let wide = dvec3(60.0, 60.0, 2.0);
-    spawn_cuboid(&mut world, wide, at(DVec3::ZERO), material);
-    world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 77.0)));
-    for width in 33..48 {
-        let view = ahead(Projection::Orthographic, [width, 40]).with_tolerance(0.5);
-        let frame = scene::draw(&mut world, &view, Keep::Display);
-        assert_eq!(frame.pixels(), vec![77 << 16; width * 40]);
-    }
-}
-
-#[test]
 fn the_nearer_cuboid_is_visible_and_at_equal_depth_the_one_earlier_in_the_file() {
     for projection in PROJECTIONS {
         for (places, orders, expected) in [

@@ -96,11 +96,38 @@ fn undo_does_not_change_rotation_and_tab() {
     assert!(before.view.turned > 0);
     window.undo();
     let after = window.record();
-    assert_eq!(window.message(), "undo: light white on");
     assert!(after.light[0].on && !before.light[0].on);
     assert!(after.view.turned >= before.view.turned);
     assert_eq!(after.view.inspector, before.view.inspector);
     assert!(window.app.viewer().turns);
+}
+
+#[test]
+fn an_undone_change_is_named() {
+    type Change = fn(&mut SceneRecord);
+    let changes: [(Change, &str); 6] = [
+        (|it| it.light[1].intensity = 3.0, "light red intensity"),
+        (
+            |it| it.light.iter_mut().for_each(|it| it.on = false),
+            "on of several",
+        ),
+        (|it| drop(it.light.remove(0)), "light white"),
+        (
+            |it| it.camera[0].name = "camera 1".to_owned(),
+            "several changes",
+        ),
+        (|it| it.cuboid[0].size *= 2.0, "cuboid emerald size"),
+        (|it| it.background.x = 3.0, "background"),
+    ];
+    for (change, words) in changes {
+        let mut window = Window::open();
+        let mut record = window.record();
+        change(&mut record);
+        window.app.restore(&record);
+        window.step(Vec::new());
+        window.undo();
+        assert_eq!(window.message(), format!("undo: {words}"));
+    }
 }
 
 /// The number of steps that can be undone after this many edits of a scene, two seconds apart.
