@@ -12,7 +12,7 @@ use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
 use crate::output::{Output, print};
 use crate::report::progress::with_bar;
-use crate::report::words::{CHANNELS, interval};
+use crate::report::words::{CHANNELS, counted, interval};
 use crate::{shading, systems};
 
 /// The colour of proven pixels beside an edge, 0x00RRGGBB.
@@ -73,7 +73,8 @@ pub fn run(
     };
     print(&record, as_json, map, || lines(drawing, &record).join("\n"))?;
     if proof.refuted > 0 {
-        bail!("{} of {} pixels are refuted", proof.refuted, proof.pixels);
+        let pixels = counted(proof.pixels, "pixel");
+        bail!("refuted: {} of {pixels}", proof.refuted);
     }
     Ok(())
 }
@@ -95,14 +96,15 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
     } else {
         ""
     };
+    let pixels = counted(proof.pixels, "pixel");
     let mut lines = vec![
         drawing.subject(),
-        format!("proven     {} of {} pixels", proof.proven, proof.pixels),
+        format!("proven     {} of {pixels}", proof.proven),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),
         format!(
-            "outline    {} pixels are so near an edge that they may show either side",
-            proof.outline
+            "outline    {} so near an edge that either side may be shown",
+            counted(proof.outline as usize, "pixel")
         ),
     ];
     if proof.proven > 0 {

@@ -9,7 +9,6 @@ use super::keys::Action;
 use super::widgets::{short, slider, two_digits};
 use crate::components::Viewer;
 use crate::components::range::Milliseconds;
-use crate::report::words::capital;
 use crate::trade::budget::{Hold, best_trades, fitting, held, over};
 use crate::trade::verdict::method_name;
 
@@ -115,8 +114,11 @@ impl App {
         let held = measured.and_then(|measured| held(measured, budget));
         let unmeasured = || {
             let time = self.milliseconds().unwrap_or_default();
-            let (name, over) = (capital(&method_name(method)), over(time, budget));
-            format!("{name}: {} ms{over}", short(time))
+            let (name, over) = (method_name(method), over(time, budget));
+            format!(
+                "While the picture changes: {name}, {} ms{over}",
+                short(time)
+            )
         };
         held.map_or_else(unmeasured, |(_, text)| text)
     }
