@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use super::sheet::{Bitmap, Cell, half, sheet};
+use super::sheet::{half, sheet};
 use crate::components::ShadingMode::{self, Gouraud, Phong};
 use crate::components::View;
 use crate::drawing::all_cores;
@@ -71,34 +71,26 @@ pub fn figures(folder: &Path) -> Result<()> {
     let mut frame = Frame::new(Keep::Display, workers);
     for (file, title, columns, figures) in SHEETS {
         let mut cells = Vec::new();
-        for &(file, mode, [camera, lights], [heading, remark, joiner]) in figures {
+        for &(file, mode, [camera, lights], label) in figures {
             scene.look_from(camera)?;
             scene.switch_lights(lights)?;
             let view = View::of(&scene.world, SIZE).shaded(mode);
             systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
-            let picture = Bitmap {
-                size: SIZE,
-                pixels: frame.pixels().to_vec(),
-            };
             if !file.is_empty() {
-                write(folder, file, &picture)?;
+                write(folder, file, frame.pixels(), SIZE)?;
             }
-            cells.push(Cell {
-                picture: half(&picture),
-                heading,
-                remark,
-                joiner,
-            });
+            cells.push((half(frame.pixels(), SIZE), label));
         }
-        write(folder, file, &sheet(title, columns, &cells))?;
+        let (pixels, size) = sheet(title, columns, &cells, SIZE.map(|side| side / 2));
+        write(folder, file, &pixels, size)?;
     }
     Ok(())
 }
 
-fn write(folder: &Path, name: &str, picture: &Bitmap) -> Result<()> {
+fn write(folder: &Path, name: &str, pixels: &[u32], size: [usize; 2]) -> Result<()> {
     let path = folder.join(name).with_extension("png");
-    let (name, [width, height]) = (path.display().to_string(), picture.size);
-    Output::File(path).write_png(&picture.pixels, picture.size)?;
+    let (name, [width, height]) = (path.display().to_string(), size);
+    Output::File(path).write_png(pixels, size)?;
     say(&format!("wrote {name}: {width}x{height}"));
     Ok(())
 }

@@ -34,49 +34,34 @@ const LABEL_HEIGHT: usize = 24;
 const TITLE: FontId = FontId::proportional(28.0);
 const LABEL: FontId = FontId::proportional(19.0);
 
-/// Pixels, 0x00RRGGBB row by row from the top.
-pub struct Bitmap {
-    /// Width and height, in pixels.
-    pub size: [usize; 2],
-    /// Width * height pixels.
-    pub pixels: Vec<u32>,
-}
+/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour; and a sign between this
+/// cell and the next, which may be empty.
+pub type Cell<'a> = (Vec<u32>, [&'a str; 3]);
 
-/// One picture of a sheet.
-pub struct Cell<'a> {
-    /// The picture.
-    pub picture: Bitmap,
-    /// The first words of the label.
-    pub heading: &'a str,
-    /// The rest of the label, in a dimmer colour.
-    pub remark: &'a str,
-    /// A sign between this cell and the next; may be empty.
-    pub joiner: &'a str,
-}
-
-/// `picture` at half its size. A pixel is the mean of four; an odd last row or column is dropped.
-pub fn half(picture: &Bitmap) -> Bitmap {
-    let [width, height] = picture.size.map(|side| side / 2);
-    let pixels = (0..width * height).map(|index| {
+/// A picture at half its size. A pixel is the mean of four; an odd last row or column is dropped.
+pub fn half(pixels: &[u32], size: [usize; 2]) -> Vec<u32> {
+    let [width, height] = size.map(|side| side / 2);
+    let means = (0..width * height).map(|index| {
         let [x, y] = [index % width * 2, index / width * 2];
         let four = [[0, 0], [1, 0], [0, 1], [1, 1]];
-        let four = four.map(|[i, j]| picture.pixels[(y + j) * picture.size[0] + x + i]);
+        let four = four.map(|[i, j]| pixels[(y + j) * size[0] + x + i]);
         let mean = |shift: u32| {
             let sum: u32 = four.iter().map(|color| color >> shift & 0xff).sum();
             ((sum + 2) / 4) << shift
         };
         mean(16) | mean(8) | mean(0)
     });
-    Bitmap {
-        size: [width, height],
-        pixels: pixels.collect(),
-    }
+    means.collect()
 }
 
-/// The cells in rows of `columns` under a `title`.
-pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Bitmap {
-    let [cell_width, cell_height] = cells.first().map_or([0, 0], |cell| cell.picture.size);
-    let gap = if cells.iter().any(|cell| !cell.joiner.is_empty()) {
+/// Cells whose pictures have this width and height, in rows of `columns` under a `title`. Returns pixels, width and height.
+pub fn sheet(
+    title: &str,
+    columns: usize,
+    cells: &[Cell],
+    [cell_width, cell_height]: [usize; 2],
+) -> (Vec<u32>, [usize; 2]) {
+    let gap = if cells.iter().any(|(_, [.., joiner])| !joiner.is_empty()) {
         JOINED_GAP
     } else {
         GAP
@@ -93,9 +78,9 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Bitmap {
 
     let size = [width, height];
     let mut pixels = vec![PAPER; width * height];
-    for (index, cell) in cells.iter().enumerate() {
+    for (index, (picture, _)) in cells.iter().enumerate() {
         let [x, y] = place(index);
-        for (row, line) in (y..).zip(cell.picture.pixels.chunks_exact(cell_width)) {
+        for (row, line) in (y..).zip(picture.chunks_exact(cell_width)) {
             pixels[row * width + x..][..cell_width].copy_from_slice(line);
         }
     }
@@ -106,43 +91,31 @@ pub fn sheet(title: &str, columns: usize, cells: &[Cell]) -> Bitmap {
         let [left, center] = [Align2::LEFT_TOP, Align2::CENTER_CENTER];
         let margin = MARGIN as f32;
         write(pos2(margin, margin), left, TITLE, BRIGHT, title);
-        for (index, cell) in cells.iter().enumerate() {
+        for (index, (_, [heading, remark, joiner])) in cells.iter().enumerate() {
             let [x, y] = place(index).map(|at| at as f32);
             let size = vec2(cell_width as f32, cell_height as f32);
             let picture = Rect::from_min_size(pos2(x, y), size);
             let frame = (1.0, color(FRAME));
             painter.rect_stroke(picture, 0.0, frame, StrokeKind::Outside);
             let label = picture.bottom() + LABEL_GAP as f32;
-            let end = write(pos2(x, label), left, LABEL, BRIGHT, cell.heading);
-            let remark = pos2(end + WORD_GAP, label);
-            write(remark, left, LABEL, DIM, cell.remark);
-            let joiner = picture.right_center() + vec2(gap as f32 / 2.0, 0.0);
-            write(joiner, center, TITLE, BRIGHT, cell.joiner);
+            let end = write(pos2(x, label), left, LABEL, BRIGHT, heading);
+            write(pos2(end + WORD_GAP, label), left, LABEL, DIM, remark);
+            let beside = picture.right_center() + vec2(gap as f32 / 2.0, 0.0);
+            write(beside, center, TITLE, BRIGHT, joiner);
         }
     });
-    Bitmap { size, pixels }
+    (pixels, size)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn plain(color: u32, size: [usize; 2]) -> Bitmap {
-        Bitmap {
-            size,
-            pixels: vec![color; size[0] * size[1]],
-        }
-    }
-
     #[test]
     fn a_pixel_at_half_size_is_the_mean_of_four() {
-        let picture = Bitmap {
-            size: [4, 2],
-            pixels: vec![0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000],
-        };
-        assert_eq!(half(&picture).size, [2, 1]);
+        let pixels = [0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000];
         // 0, 0, 0 and 4 have the mean 1; two of four at 255 have the mean 127.5, which rounds up.
-        assert_eq!(half(&picture).pixels, [0x0000_0001, 0x0080_0000]);
+        assert_eq!(half(&pixels, [4, 2]), [0x0000_0001, 0x0080_0000]);
     }
 
     #[test]
@@ -154,25 +127,22 @@ mod tests {
             0x0040_0000,
             0x0050_0000,
         ];
-        let cells = colors.map(|color| Cell {
-            picture: plain(color, [60, 40]),
-            heading: "A",
-            remark: "b",
-            joiner: if color == 0x0030_0000 { "" } else { "+" },
+        let cells = colors.map(|color| {
+            let joiner = if color == 0x0030_0000 { "" } else { "+" };
+            (vec![color; 60 * 40], ["A", "b", joiner])
         });
-        let sheet = sheet("Title", 3, &cells);
+        let (pixels, [width, height]) = sheet("Title", 3, &cells, [60, 40]);
         for color in colors {
             assert_eq!(
-                sheet.pixels.iter().filter(|&&pixel| pixel == color).count(),
+                pixels.iter().filter(|&&pixel| pixel == color).count(),
                 60 * 40
             );
         }
-        let [width, height] = sheet.size;
-        assert_eq!(sheet.pixels.len(), width * height);
-        let title = &sheet.pixels[..(MARGIN + TITLE_HEIGHT) * width];
+        assert_eq!(pixels.len(), width * height);
+        let title = &pixels[..(MARGIN + TITLE_HEIGHT) * width];
         assert!(title.iter().any(|&pixel| pixel != PAPER));
         assert!(!title.iter().any(|pixel| colors.contains(pixel)));
-        for (index, &pixel) in sheet.pixels.iter().enumerate() {
+        for (index, &pixel) in pixels.iter().enumerate() {
             let [x, y] = [index % width, index / width];
             let inside = (MARGIN - 1..=width - MARGIN).contains(&x)
                 && (MARGIN - 1..=height - MARGIN).contains(&y);
