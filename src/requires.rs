@@ -210,6 +210,10 @@ pub struct PartChange {
     pub name: String,
     #[serde(flatten)]
     pub change: Change,
+    /// The part's share of a frame's time, if that was measured.
+    pub time_share: Option<f64>,
+    /// Whether the picture without it is not proven to keep the tolerance.
+    pub required: bool,
 }
 
 /// The change of the picture without each part, in the order of [`parts`].
@@ -224,18 +228,19 @@ pub fn part_changes(
     let parts = parts(scene);
     let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
     let changes = changes(scene, view, &left_out, monitor)?;
-    let part_change = |((part, name), change)| PartChange { part, name, change };
+    let part_change = |((part, name), change): (_, Change)| PartChange {
+        part,
+        name,
+        change,
+        time_share: None,
+        required: !change.keeps(view.tolerance),
+    };
     Ok(parts.into_iter().zip(changes).map(part_change).collect())
 }
 
-/// As [`part_changes`], the largest error first.
-///
-/// # Errors
-/// If the work is cancelled.
-pub fn ranked(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<PartChange>> {
-    let mut ranked = part_changes(scene, view, monitor)?;
-    ranked.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
-    Ok(ranked)
+/// Puts the part first whose absence causes the largest error.
+pub fn rank(parts: &mut [PartChange]) {
+    parts.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
 }
 
 /// Tries each candidate together with those left out so far, because errors of parts add up or cancel. It stays out if the

@@ -4,11 +4,10 @@
 
 use std::time::Duration;
 
-use serde::Serialize;
 use serde_json::json;
 
 use super::bits::{StageBits, bits};
-use super::{Part, PartChange, least, part_changes, without};
+use super::{Part, PartChange, least, part_changes, rank, without};
 use crate::components::View;
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, Workers};
@@ -19,21 +18,6 @@ use crate::report::words::{interval, short};
 use crate::scene::{Scene, SceneRecord, updated};
 use crate::systems;
 use crate::trade::timing;
-
-/// A part in the table and in the output of `--json`.
-#[derive(Serialize)]
-struct PartRow {
-    #[serde(flatten)]
-    found: PartChange,
-    time_share: Option<f64>,
-    required: bool,
-}
-
-impl PartRow {
-    fn most(&self) -> f64 {
-        self.found.change.most()
-    }
-}
 
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; time: the part's share of the shortest frame time on one thread, negative \
@@ -62,7 +46,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
         "parts": rows,
         "bits": stages,
     });
-    rows.sort_by(|one, other| other.most().total_cmp(&one.most()));
+    rank(&mut rows);
     print(&record, as_json, least_scene, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
         let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
@@ -76,20 +60,16 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
     }
 }
 
-/// A row for each part.
-fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartRow>> {
-    let found = with_bar(|monitor| part_changes(&drawing.scene, view, monitor))?;
-    let all = found.len() as f64;
+/// The parts, with their shares of a frame's time.
+fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartChange>> {
+    let mut rows = with_bar(|monitor| part_changes(&drawing.scene, view, monitor))?;
+    let all = rows.len() as f64;
     with_bar(|monitor| {
-        let row = |(index, found): (usize, PartChange)| {
+        for (index, row) in rows.iter_mut().enumerate() {
             (monitor.progress)("timing", index as f64 / all);
-            Ok(PartRow {
-                time_share: time_share(drawing, view, found.part)?,
-                required: !found.change.keeps(view.tolerance),
-                found,
-            })
-        };
-        found.into_iter().enumerate().map(row).collect()
+            row.time_share = time_share(drawing, view, row.part)?;
+        }
+        Ok(rows)
     })
 }
 
@@ -119,13 +99,13 @@ fn time_share(drawing: &Drawing, view: &View, part: Part) -> anyhow::Result<Opti
 }
 
 /// The table of these parts.
-fn table(rows: &[PartRow]) -> String {
-    let cells = |row: &PartRow| {
+fn table(rows: &[PartChange]) -> String {
+    let cells = |row: &PartChange| {
         let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         [
-            row.found.name.clone(),
-            interval(row.found.change.largest_error, short),
-            row.found.change.pixels.to_string(),
+            row.name.clone(),
+            interval(row.change.largest_error, short),
+            row.change.pixels.to_string(),
             row.time_share.map_or_else(|| "-".to_owned(), percent),
             if row.required { "yes" } else { "no" }.to_owned(),
         ]
@@ -140,15 +120,15 @@ fn write_least(
     subject: &str,
     scene: &Scene,
     view: &View,
-    mut rows: Vec<PartRow>,
+    mut rows: Vec<PartChange>,
     output: &Output,
 ) -> anyhow::Result<()> {
-    rows.retain(|row| row.found.part.is_in_file() && !row.required);
-    rows.sort_by(|one, other| one.most().total_cmp(&other.most()));
-    let candidates: Vec<Part> = rows.iter().map(|row| row.found.part).collect();
+    rows.retain(|row| row.part.is_in_file() && !row.required);
+    rows.sort_by(|one, other| one.change.most().total_cmp(&other.change.most()));
+    let candidates: Vec<Part> = rows.iter().map(|row| row.part).collect();
     let (left_out, change) = with_bar(|monitor| least(scene, view, &candidates, monitor))?;
-    rows.retain(|row| left_out.contains(&row.found.part));
-    let names: Vec<String> = rows.into_iter().map(|row| row.found.name).collect();
+    rows.retain(|row| left_out.contains(&row.part));
+    let names: Vec<String> = rows.into_iter().map(|row| row.name).collect();
     let found = if names.is_empty() {
         "no light, cuboid or Phong shading can be left out".to_owned()
     } else {
