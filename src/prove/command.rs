@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::bail;
-use serde::Serialize;
+use serde_json::json;
 
 use super::png::PngPicture;
 use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
@@ -17,20 +17,6 @@ use crate::{shading, systems};
 
 /// The colour of proven pixels beside an edge, 0x00RRGGBB.
 const OUTLINE: u32 = 0x0026_5a78;
-
-/// The output of `--json`.
-#[derive(Serialize)]
-struct Record<'a> {
-    scene: &'a str,
-    camera: String,
-    projection: &'static str,
-    size: [usize; 2],
-    mode: &'static str,
-    tolerance: f64,
-    seconds: f64,
-    #[serde(flatten)]
-    proof: &'a Proof,
-}
 
 /// The faces of a cuboid by the direction of their normals, before rotation.
 const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
@@ -61,17 +47,19 @@ pub fn run(
         let marked: Vec<u32> = marked.map(|(pixel, mark)| color(*pixel, *mark)).collect();
         output.write_png(&marked, view.size)?;
     }
-    let record = Record {
-        scene: &drawing.scene.name,
-        camera: camera_name(&drawing.scene.world),
-        projection: view.projection.name(),
-        size: view.size,
-        mode: drawing.mode(),
-        tolerance: view.tolerance,
-        seconds: begin.elapsed().as_secs_f64(),
-        proof: &proof,
-    };
-    print(&record, as_json, map, || lines(drawing, &record).join("\n"))?;
+    let seconds = begin.elapsed().as_secs_f64();
+    let mut record = json!({
+        "scene": drawing.scene.name,
+        "camera": camera_name(&drawing.scene.world),
+        "projection": view.projection,
+        "size": view.size,
+        "mode": drawing.mode(),
+        "tolerance": view.tolerance,
+        "seconds": seconds,
+    });
+    json_patch::merge(&mut record, &json!(proof));
+    let lines = || lines(drawing, &proof, seconds).join("\n");
+    print(&record, as_json, map, lines)?;
     if proof.refuted > 0 {
         let pixels = counted(proof.pixels, "pixel");
         bail!("refuted: {} of {pixels}", proof.refuted);
@@ -89,9 +77,8 @@ fn color(pixel: u32, mark: Mark) -> u32 {
     }
 }
 
-fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
-    let proof = record.proof;
-    let rounding = if proof.limit > shading::limit(record.tolerance) {
+fn lines(drawing: &Drawing, proof: &Proof, seconds: f64) -> Vec<String> {
+    let rounding = if proof.limit > shading::limit(drawing.view().tolerance) {
         ", half a level of it for the rounding to bytes"
     } else {
         ""
@@ -121,7 +108,7 @@ fn lines(drawing: &Drawing, record: &Record) -> Vec<String> {
             proof.widest_enclosure, proof.reference_error
         ));
     }
-    lines.push(format!("time              {:.2} s", record.seconds));
+    lines.push(format!("time              {seconds:.2} s"));
     if !proof.examples.is_empty() {
         lines.push("The pixels that are not proven and err most:".to_owned());
     }
