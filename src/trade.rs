@@ -102,6 +102,13 @@ pub fn mark_front(methods: &mut [Measurement]) {
     }
 }
 
+/// The methods on the front, the fastest and least exact first.
+pub fn front<'a>(methods: impl IntoIterator<Item = &'a Measurement>) -> Vec<&'a Measurement> {
+    let mut front: Vec<_> = methods.into_iter().filter(|it| it.on_front).collect();
+    front.sort_by(|one, other| one.timing.median.total_cmp(&other.timing.median));
+    front
+}
+
 fn beats(one: &Measurement, other: &Measurement) -> bool {
     let steps = |it: &Measurement| it.largest_error().map(|error| (error / RESOLUTION).round());
     let [mine, theirs] = [one, other].map(steps);

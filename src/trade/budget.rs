@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use super::batch::time_here;
 use super::verdict::method_name;
-use super::{Measurement, Request, measure};
+use super::{Measurement, Request, front, measure};
 use crate::drawing::Drawing;
 use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
@@ -30,9 +30,8 @@ const MEASURING_TIME: Duration = Duration::from_secs(1);
 
 /// The best trades and their milliseconds, the fastest and least exact first.
 pub fn best_trades(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
-    let mut best: Vec<_> = measured.iter().filter(|it| it.on_front).collect();
-    best.sort_by(|one, other| one.timing.median.total_cmp(&other.timing.median));
-    best.iter().map(|it| (it.method, it.timing.median)).unzip()
+    let front = front(measured).into_iter();
+    front.map(|it| (it.method, it.timing.median)).unzip()
 }
 
 /// The index of the most exact method that fits, or of the fastest if none fits.

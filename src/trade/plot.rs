@@ -13,6 +13,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::export::{place, subject};
+use super::front;
 use super::measurement::{Measurement, Report};
 use crate::components::ShadingMode;
 use crate::report::chart::{self, Area, BLUE, FAINT, GREEN, ORANGE};
@@ -24,29 +25,17 @@ const ERRORS: Range<f64> = 5e-4..500.0;
 
 const SIZE: (u32, u32) = (960, 600);
 
-/// One method in the plot.
-struct Dot<'a> {
-    measured: &'a Measurement,
-    /// Milliseconds of a frame.
-    time: f64,
-    /// Levels, at least [`FLOOR`].
-    error: f64,
-    color: RGBColor,
+/// The place of a method: milliseconds of a frame, and levels.
+fn place_of(one: &Measurement) -> (f64, f64) {
+    let error = one.largest_error().unwrap_or_default();
+    (one.timing.median, error.max(FLOOR))
 }
 
-impl<'a> Dot<'a> {
-    /// `None` without an error or a time.
-    fn of(measured: &'a Measurement) -> Option<Self> {
-        Some(Dot {
-            measured,
-            time: Some(measured.timing.median).filter(|time| *time > 0.0)?,
-            error: measured.largest_error()?.max(FLOOR),
-            color: match measured.method.mode {
-                ShadingMode::Gouraud => BLUE,
-                ShadingMode::Phong => ORANGE,
-                ShadingMode::UnitVectors => GREEN,
-            },
-        })
+fn color(mode: ShadingMode) -> RGBColor {
+    match mode {
+        ShadingMode::Gouraud => BLUE,
+        ShadingMode::Phong => ORANGE,
+        ShadingMode::UnitVectors => GREEN,
     }
 }
 
@@ -55,8 +44,9 @@ impl<'a> Dot<'a> {
 /// # Errors
 /// The plotting library gives none in practice.
 pub fn svg(report: &Report) -> anyhow::Result<String> {
-    let points: Vec<Dot> = report.methods.iter().filter_map(Dot::of).collect();
-    let key = if points.is_empty() {
+    let has_place = |it: &&Measurement| it.error.is_some() && it.timing.median > 0.0;
+    let methods: Vec<_> = report.methods.iter().filter(has_place).collect();
+    let key = if methods.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
         "Filled: a best trade; the line joins them. Bar: the range of a method's time. An error below 0.001 is drawn \
@@ -65,16 +55,16 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     chart::svg(SIZE, |area| {
         let title = "The cost and the error of each shading method";
         chart::heading(area, title, &[&subject(report), &place(report), key])?;
-        if points.is_empty() {
+        if methods.is_empty() {
             return Ok(());
         }
-        draw(area, &points)
+        draw(area, &methods)
     })
 }
 
 /// Draws axes, front, points and labels.
-fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
-    let times = points.iter().map(|point| point.time);
+fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
+    let times = methods.iter().map(|one| one.timing.median);
     let least = times.clone().fold(f64::INFINITY, f64::min);
     // Room for labels.
     let times = least / 1.5..times.fold(0.0, f64::max) * 1.5;
@@ -83,26 +73,26 @@ fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
         ("largest error against exact Phong: levels of 255", ERRORS),
     ];
     let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes)?;
-    let front = front(points, times.end);
-    chart.draw_series([PathElement::new(front, FAINT.stroke_width(2))])?;
-    for point in points {
-        let within = |end: f64| (end.clamp(times.start, times.end), point.error);
-        let ends = point.measured.timing.interval.map(within);
-        chart.draw_series([PathElement::new(ends, point.color.stroke_width(1))])?;
+    let line = front_line(methods, times.end);
+    chart.draw_series([PathElement::new(line, FAINT.stroke_width(2))])?;
+    for one in methods {
+        let (_, error) = place_of(one);
+        let within = |end: f64| (end.clamp(times.start, times.end), error);
+        let ends = one.timing.interval.map(within);
+        let line = color(one.method.mode).stroke_width(1);
+        chart.draw_series([PathElement::new(ends, line)])?;
     }
     let plot = chart.plotting_area();
     let columns = plot.get_pixel_range().0;
     let mut taken = Vec::new();
-    for point in points {
-        let at = plot.map_coordinate(&(point.time, point.error));
-        let label = label(point, at, &columns, &taken);
-        let style = ("monospace", chart::font(LABEL)).into_font();
-        let style = style.color(&point.color);
-        area.draw_text(point.measured.method.id, &style, (label[0], label[2]))?;
-        let is_filled = point.measured.on_front;
-        let inside = if is_filled { point.color } else { WHITE };
+    for one in methods {
+        let (at, color) = (plot.map_coordinate(&place_of(one)), color(one.method.mode));
+        let label = label(one, at, &columns, &taken);
+        let style = ("monospace", chart::font(LABEL)).into_font().color(&color);
+        area.draw_text(one.method.id, &style, (label[0], label[2]))?;
+        let inside = if one.on_front { color } else { WHITE };
         area.draw(&Circle::new(at, 5, inside.filled()))?;
-        area.draw(&Circle::new(at, 5, point.color.stroke_width(2)))?;
+        area.draw(&Circle::new(at, 5, color.stroke_width(2)))?;
         taken.push(label);
     }
     Ok(())
@@ -113,11 +103,16 @@ fn draw(area: &Area, points: &[Dot]) -> anyhow::Result<()> {
 /// On the front a label is below its point, to the left: a point there would beat this one. Other labels are above their
 /// points, to the right. A label that would cover one of the `taken` places moves away
 /// from the points.
-fn label(point: &Dot, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3]]) -> [i32; 3] {
+fn label(
+    one: &Measurement,
+    (x, y): (i32, i32),
+    columns: &Range<i32>,
+    taken: &[[i32; 3]],
+) -> [i32; 3] {
     // The letters of a monospaced font are 0.6 times as wide as high.
-    let width = (0.6 * LABEL * point.measured.method.id.len() as f64).ceil() as i32 + 4;
+    let width = (0.6 * LABEL * one.method.id.len() as f64).ceil() as i32 + 4;
     let height = (1.25 * LABEL) as i32;
-    let (left, mut top, step) = if point.measured.on_front {
+    let (left, mut top, step) = if one.on_front {
         (x - width - 4, y + 4, 1)
     } else {
         (x + 6, y - 4 - height, -1)
@@ -139,17 +134,14 @@ fn label(point: &Dot, (x, y): (i32, i32), columns: &Range<i32>, taken: &[[i32; 3
 const LABEL: f64 = 12.0;
 
 /// The least error for each time, as a line of steps from the top to the right `end`.
-fn front(points: &[Dot], end: f64) -> Vec<(f64, f64)> {
-    let on_front = points.iter().filter(|point| point.measured.on_front);
-    let mut best: Vec<&Dot> = on_front.collect();
-    best.sort_by(|a, b| a.time.total_cmp(&b.time));
-    let mut error = ERRORS.end;
+fn front_line(methods: &[&Measurement], end: f64) -> Vec<(f64, f64)> {
+    let mut least = ERRORS.end;
     let mut line = Vec::new();
     // Of two best trades the slower errs less, or as much.
-    for point in best {
-        line.extend([(point.time, error), (point.time, point.error)]);
-        error = point.error;
+    for (time, error) in front(methods.iter().copied()).into_iter().map(place_of) {
+        line.extend([(time, least), (time, error)]);
+        least = error;
     }
-    line.push((end, error));
+    line.push((end, least));
     line
 }

@@ -18,9 +18,9 @@ use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
-use crate::trade::Measurement;
 use crate::trade::plot::FLOOR;
 use crate::trade::verdict::{UNSEEN, method_name, sentence};
+use crate::trade::{Measurement, front};
 
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;
@@ -178,9 +178,7 @@ fn draw(plot: &mut PlotUi, known: &[Measurement], is_current: bool) {
         let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
     };
-    let front = known.iter().filter(|it| it.on_front);
-    let mut front: Vec<[f64; 2]> = front.map(place).collect();
-    front.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let front: Vec<[f64; 2]> = front(known).into_iter().map(place).collect();
     let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
     let staircase = front.windows(2).flat_map(step).collect();
     plot.line(line(staircase, Color32::from_gray(120)));

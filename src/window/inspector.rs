@@ -2,7 +2,6 @@
 
 mod pixel;
 mod scene;
-mod section;
 
 use std::iter;
 
