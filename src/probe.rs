@@ -47,19 +47,11 @@ pub struct ProbedSurface {
     pub gouraud: DVec3,
     /// The renderer's levels under Phong, unclamped.
     pub phong: DVec3,
-    /// The pixel in the picture.
-    pub drawn: DrawnPixel,
-}
-
-/// A pixel of the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DrawnPixel {
+    /// The levels of the picture, unclamped.
+    pub drawn: [f64; 3],
+    /// How the picture was drawn: its mode, its tolerance in levels, and the kind of the square around the pixel.
     pub mode: ShadingMode,
-    /// In levels.
     pub tolerance: f64,
-    /// Unclamped.
-    pub levels: [f64; 3],
-    /// The kind of its square.
     pub kind: TileKind,
 }
 
@@ -156,12 +148,10 @@ fn look(
                 shininess: material.shininess,
                 gouraud: finite(&gouraud, |it| it.gouraud),
                 phong: finite(&phong, |it| it.phong),
-                drawn: DrawnPixel {
-                    mode: view.mode(**mode),
-                    tolerance: view.tolerance,
-                    levels: levels(&own),
-                    kind: TileKind::ALL[usize::from(own.kinds()[row + x] & !OUTLINE)],
-                },
+                drawn: levels(&own),
+                mode: view.mode(**mode),
+                tolerance: view.tolerance,
+                kind: TileKind::ALL[usize::from(own.kinds()[row + x] & !OUTLINE)],
                 sample,
             }
         });

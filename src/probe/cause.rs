@@ -1,6 +1,6 @@
 //! Sentences about a pixel: the cause of the difference between interpolation and exact Phong, and the cost.
 
-use super::{DrawnPixel, ProbedSurface};
+use super::ProbedSurface;
 use crate::components::{LightKind, ShadingMode};
 use crate::reference::LightSample;
 use crate::report::words::{CHANNELS, short};
@@ -17,8 +17,8 @@ impl ProbedSurface {
     /// interpolation is the picture's if it has unit vectors, else Gouraud's. `None` if the reference sees another face.
     pub fn error(&self) -> Option<(usize, f64)> {
         let sample = self.sample.as_ref()?;
-        let interpolated = match self.drawn.mode {
-            ShadingMode::UnitVectors => self.drawn.levels,
+        let interpolated = match self.mode {
+            ShadingMode::UnitVectors => self.drawn,
             _ => sample.gouraud.to_array(),
         };
         let phong = sample.phong.to_array().map(displayed);
@@ -35,8 +35,8 @@ impl ProbedSurface {
         let sample = self.sample.as_ref()?;
         let (channel, error) = self.error()?;
         let color = CHANNELS[channel];
-        if self.drawn.mode == ShadingMode::UnitVectors {
-            let [drawn, exact] = [self.drawn.levels[channel], sample.phong[channel]].map(level);
+        if self.mode == ShadingMode::UnitVectors {
+            let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
             let cause = "Interpolated unit vectors are too short";
             let length = sample.normal_length;
             return Some([
@@ -89,9 +89,7 @@ impl ProbedSurface {
             format!("{cause}. The light adds {gouraud} levels of {color} instead of {phong}.");
         Some([cause, evidence])
     }
-}
 
-impl DrawnPixel {
     /// The evaluations of the model in the square of the pixel.
     pub fn cost(&self) -> String {
         let (kind, within) = (self.kind.name(), self.tolerance);

@@ -53,16 +53,16 @@ impl App {
         let object = &surface.object;
         ui.label(format!("{object}, {}", surface.triangle_label()));
         verdict(ui, surface);
-        let is_phong = surface.drawn.mode == ShadingMode::Phong;
+        let is_phong = surface.mode == ShadingMode::Phong;
         if is_phong {
-            ui.label(surface.drawn.cost());
+            ui.label(surface.cost());
             ui.weak("Gouraud shading instead:");
         }
         for sentence in surface.cause().into_iter().flatten() {
             ui.label(sentence);
         }
         if !is_phong {
-            ui.label(surface.drawn.cost());
+            ui.label(surface.cost());
         }
         self.section(ui, x, surface);
         let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
@@ -103,7 +103,7 @@ impl App {
             let points = self.columns().map(|(x, surface)| [x, level(surface)]);
             Line::new(name, points.collect::<Vec<_>>()).width(1.5)
         };
-        let drawn = curve("picture", &|it| displayed(it.drawn.levels[channel]));
+        let drawn = curve("picture", &|it| displayed(it.drawn[channel]));
         let lines = [
             drawn.color(DRAWN).width(5.0),
             curve("Gouraud", &|it| exact(it, channel)[0]).color(GOURAUD),
@@ -123,7 +123,7 @@ impl App {
 
 /// The drawn levels, those of exact Phong, and the errors, by channel; and both colours.
 fn verdict(ui: &mut Ui, surface: &ProbedSurface) {
-    let drawn = surface.drawn.levels;
+    let drawn = surface.drawn;
     let exact = surface.sample.as_ref().map(|it| it.phong.to_array());
     Grid::new("verdict").striped(true).show(ui, |ui| {
         for head in ["", "drawn", "exact", "error"] {

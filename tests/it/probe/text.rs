@@ -3,7 +3,7 @@
 use glam::DVec3;
 use shadetrade::components::{LightKind, ShadingMode};
 use shadetrade::frame::display_step;
-use shadetrade::probe::{DrawnPixel, Probe};
+use shadetrade::probe::Probe;
 use shadetrade::scene::SceneRecord;
 use shadetrade::shading::TileKind::{InF64, Linear, PerPixel, Quadratic};
 
@@ -73,13 +73,9 @@ fn the_cost_is_that_of_the_square() {
         (Gouraud, PerPixel, ["No evaluation", "every pixel"]),
         (UnitVectors, InF64, ["An evaluation", "f64"]),
     ] {
-        let drawn = DrawnPixel {
-            mode,
-            tolerance: 0.5,
-            levels: [0.0; 3],
-            kind,
-        };
-        let cost = drawn.cost();
+        let mut surface = surface_of(mode, [480, 360], |_| ());
+        surface.kind = kind;
+        let cost = surface.cost();
         assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
     }
 }

@@ -220,7 +220,7 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
     window.step(Vec::new());
     let mode = |window: &Window| {
         let probe = window.app.probed().expect("an answer");
-        probe.surface.as_ref().map(|surface| surface.drawn.mode)
+        probe.surface.as_ref().map(|surface| surface.mode)
     };
     for (share, shown) in [(-0.1, ShadingMode::Gouraud), (0.1, ShadingMode::Phong)] {
         let place = window.app.place;
@@ -233,7 +233,7 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
         let surface = window.app.probed().and_then(|it| it.surface.clone());
         let [width, _] = window.app.picture_size();
         let [_, bytes @ ..] = window.app.shown()[y * width + x].to_be_bytes();
-        let levels = surface.expect("a cuboid").drawn.levels;
+        let levels = surface.expect("a cuboid").drawn;
         assert_eq!(levels.map(display_step), bytes);
     }
     // The divider goes past the pixel.
