@@ -1,5 +1,6 @@
 //! The lights over the picture: discs that can be dragged, and the vectors at the probed pixel.
 
+use egui::emath::round_to_decimals;
 use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 
@@ -25,9 +26,9 @@ pub struct Disc {
     pub name: String,
     /// Its middle in the window.
     pub at: Pos2,
-    /// From the light's own place to the border, where the disc of a light out of sight is. None of a light that is not in
+    /// The place of a light out of sight, whose disc is at the border: its own, or the middle of the picture if it is not in
     /// front of the near plane.
-    moved: Option<Vec2>,
+    own: Option<Pos2>,
     color: Color32,
     is_on: bool,
 }
@@ -38,7 +39,7 @@ impl Disc {
         let on = (self.color, (1.5, Color32::from_gray(16)));
         let off = (Color32::from_black_alpha(120), (2.0, self.color));
         let (fill, line) = if self.is_on { on } else { off };
-        let is_in_sight = self.moved == Some(Vec2::ZERO);
+        let is_in_sight = self.own.is_none();
         let radius = if is_in_sight { RADIUS } else { RADIUS / 2.0 };
         painter.circle(self.at, radius, fill, line);
         let (align, side) = if self.at.x > area.center().x {
@@ -61,15 +62,11 @@ impl App {
             let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
             let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
             if disc.dragged() {
-                let mut by = disc.drag_delta();
                 // A light out of sight first comes to its disc.
-                if disc.drag_started() {
-                    match light.moved {
-                        Some(moved) => by += moved,
-                        None => self.bring_light(&light.name, light.at),
-                    }
+                if let Some(own) = light.own.filter(|_| disc.drag_started()) {
+                    self.drag_light(&light.name, (light.at - own) * self.scale(), false);
                 }
-                self.drag_light(&light.name, by * self.scale(), in_depth);
+                self.drag_light(&light.name, disc.drag_delta() * self.scale(), in_depth);
             }
             if disc.clicked() || disc.drag_started() {
                 self.select::<Light>("light", &light.name);
@@ -84,11 +81,11 @@ impl App {
         let lens = Lens::new(&self.view());
         let lights = in_file_order::<Parts, _>(&self.scene.world, |(name, transform, light)| {
             (light.kind != LightKind::Ambient).then(|| {
-                let (at, moved) = self.place_of_light(transform.position, &lens);
+                let (at, own) = self.place_of_light(transform.position, &lens);
                 Disc {
                     name: name.0.clone(),
                     at,
-                    moved,
+                    own,
                     color: brightest(light.color),
                     is_on: light.on,
                 }
@@ -105,9 +102,8 @@ impl App {
         discs
     }
 
-    /// The place of a light in the window, or the nearest one at the border of the picture, and the way to that; none for a
-    /// light behind the eye.
-    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Option<Vec2>) {
+    /// The place of a light's disc in the window, and that of the light if it is out of sight.
+    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Option<Pos2>) {
         let border = self.place.shrink(3.0 * RADIUS);
         // A tiny picture has no room between its borders.
         let within = |at: Pos2| at.max(border.min).min(border.max);
@@ -115,47 +111,38 @@ impl App {
         if seen.z > lens.near {
             let [x, y] = lens.pixel(lens.homogeneous(seen));
             let own = self.place.min + vec2(x as f32, y as f32) / self.scale();
-            return (within(own), Some(within(own) - own));
+            let is_out = within(own) != own;
+            return (within(own), is_out.then_some(own));
         }
         let way = vec2(seen.x as f32, -seen.y as f32).normalized();
         let beyond = border.center() + way * border.size().max_elem();
-        (within(beyond), None)
-    }
-
-    /// Puts a light that is not in front of the near plane under its disc: half as far away as the camera's target, or twice as
-    /// far as the near plane if that is more.
-    fn bring_light(&mut self, name: &str, at: Pos2) {
-        let view = self.view();
-        let lens = Lens::new(&view);
-        let half_way = length(view.camera.target - view.camera.position) / 2.0;
-        let lights = (self.scene.world).query_mut::<(&Name, &mut Transform, &Light)>();
-        for (_, place, _) in lights.into_iter().filter(|it| it.0.0 == name) {
-            place.position = lens.eye + lens.axes[2] * half_way.max(2.0 * lens.near);
-        }
-        self.drag_light(name, (at - self.place.center()) * self.scale(), false);
+        (within(beyond), Some(self.place.center()))
     }
 
     /// Moves a light by pixels of the picture across the view, or in depth. A position beyond its range is refused.
+    ///
+    /// A light that is not in front of the near plane first comes to the middle of the view: half as far away as the camera's
+    /// target, or twice as far as the near plane if that is more.
     pub fn drag_light(&mut self, name: &str, by: Vec2, in_depth: bool) {
-        let lens = Lens::new(&self.view());
+        let view = self.view();
+        let lens = Lens::new(&view);
+        let half_way = length(view.camera.target - view.camera.position) / 2.0;
         let [right, up, forward] = lens.axes;
         let [across, down] = [by.x, by.y].map(f64::from);
         let aside = right * across - up * down;
         let way = if in_depth { forward * -down } else { aside };
         let lights = (self.scene.world).query_mut::<(&Name, &mut Transform, &Light)>();
         for (_, Transform { position, .. }, _) in lights.into_iter().filter(|it| it.0.0 == name) {
+            if !in_depth && lens.seen(*position).z <= lens.near {
+                *position = lens.eye + forward * half_way.max(2.0 * lens.near);
+            }
             let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
             // Rounded to a tenth of a pixel or less, so that the numbers are short.
-            let digits = 1.0 - pixel.log10().floor();
-            let (moved, scale) = (*position + way * pixel, 10.0_f64.powf(digits.abs()));
-            let moved = if digits > 0.0 {
-                (moved * scale).round() / scale
-            } else {
-                (moved / scale).round() * scale
-            };
-            let is_legal = |it: &f64| Coordinate::RANGE.contains(it);
-            if moved.to_array().iter().all(is_legal) {
-                *position = moved;
+            let digits = (1.0 - pixel.log10().floor()).clamp(0.0, 300.0) as usize;
+            let moved = (*position + way * pixel).to_array();
+            let moved = moved.map(|it| round_to_decimals(it, digits));
+            if moved.iter().all(|it| Coordinate::RANGE.contains(it)) {
+                *position = DVec3::from(moved);
             }
         }
     }
