@@ -96,7 +96,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let mut drawing = options.drawing.open(None)?;
     options.budget.apply_to(&mut drawing);
     let scene = output::quoted(&drawing.scene.name);
-    let closed = window::run(drawing, options.record.as_deref());
+    let closed = window::run(drawing, options.record.as_deref(), None);
     if let Err(missing) = &closed
         && missing.is::<NoDisplay>()
         && is_plain
@@ -138,7 +138,7 @@ fn replay(options: &ReplayOptions) -> Result<(), Failure> {
     if plays {
         let name = output::quoted(&name);
         let replay = format!("replay {name} -o FILE.apng` draws an animation");
-        return Ok(window::play(&log, drawing).map_err(|error| advise(error, &replay))?);
+        return Ok(window::run(drawing, None, Some(&log)).map_err(|error| advise(error, &replay))?);
     }
     Ok(replaying::run(&log, drawing, output, options.hash)?)
 }

@@ -68,11 +68,15 @@ const PRESENT_SHARE: u32 = 200;
 
 /// Shows `drawing` in a window of its size until the user quits, and records that in a new file if one is named.
 ///
+/// A log, which begins with `drawing`, is played until the user quits or takes over. Then the window is as without it. Every
+/// frame has its recorded size; the window opens in the largest.
+///
 /// # Errors
 /// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, memory does not
 /// suffice, there is such a file, or changes that were not saved cannot be written.
-pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
-    let mut display = Display::open("shadetrade", drawing.size)?;
+pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> anyhow::Result<()> {
+    let size = log.map_or(drawing.size, |log| log.canvas(drawing.size));
+    let mut display = Display::open("shadetrade", size)?;
     let mut app = App::new(drawing, true)?;
     if let Some(path) = recording {
         output::check_place(path)?;
@@ -81,22 +85,6 @@ pub fn run(drawing: Drawing, recording: Option<&Path>) -> anyhow::Result<()> {
             file.with_context(|| format!("cannot record to a new file {}", path.display()))?;
         app.recorder = Some(Recorder::new(file));
     }
-    show(&mut display, &mut app, None)
-}
-
-/// Plays `log`, which begins with `drawing`, in a window until the user quits or takes over. Then the window is as that of
-/// [`run`]. Every frame has its recorded size; the window opens in the largest.
-///
-/// # Errors
-/// As [`run`].
-pub fn play(log: &Log, drawing: Drawing) -> anyhow::Result<()> {
-    let mut display = Display::open("shadetrade", log.canvas(drawing.size))?;
-    let mut app = App::new(drawing, true)?;
-    show(&mut display, &mut app, Some(log))
-}
-
-/// The loop of the window. A log takes the place of the user, until the user takes over.
-fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Result<()> {
     let start = Instant::now();
     let mut player = log.map(Player::new);
     let (mut title, mut window) = (String::new(), [0, 0]);
@@ -124,7 +112,7 @@ fn show(display: &mut Display, app: &mut App, log: Option<&Log>) -> anyhow::Resu
             let (mut next, mut size, mut kind) = (Duration::MAX, window, "");
             if let Some(player) = &mut player {
                 app.quits = is_pressed(&input.events, &[Key::Escape, Key::Q]);
-                next = player.play(app, now, &input.events)?;
+                next = player.play(&mut app, now, &input.events)?;
                 (size, kind) = (app.size, player.title());
                 input = RawInput::default();
             }

@@ -118,24 +118,21 @@ impl App {
         let fact = &self.facts.proof;
         self.wait(ui, fact);
         let rows = fact.value.iter().flat_map(|proof| {
-            let counts = [
-                (proof.proven, "pixels proven"),
-                (proof.undecided, "pixels undecided"),
-                (proof.refuted, "pixels refuted"),
-                (proof.outline, "pixels within 0.01 of an edge"),
-                (proof.covered, "pixels with a cuboid"),
-            ];
             let [worst, widest] = [proof.worst, proof.widest_enclosure];
-            let levels = [
+            let off = proof.reference_error;
+            [
+                (proof.proven.to_string(), "pixels proven"),
+                (proof.undecided.to_string(), "pixels undecided"),
+                (proof.refuted.to_string(), "pixels refuted"),
+                (proof.outline.to_string(), "pixels within 0.01 of an edge"),
+                (proof.covered.to_string(), "pixels with a cuboid"),
                 (format!("{worst:.6}"), "levels, the largest proven error"),
                 (format!("{widest:.1e}"), "levels, the longest interval"),
                 (
-                    format!("{:.1e}", proof.reference_error),
+                    format!("{off:.1e}"),
                     "levels, the error of the reference in f64",
                 ),
-            ];
-            let counts = counts.map(|(count, words)| (count.to_string(), words));
-            counts.into_iter().chain(levels)
+            ]
         });
         let rows = rows.map(|(number, words)| (vec![number, words.to_owned()], ""));
         Self::table(ui, "proof", fact, rows);
