@@ -59,14 +59,8 @@ pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 /// One press of an arrow moves the camera so far about its target, in degrees.
 const ORBIT_STEP: f64 = 2.0;
 
-/// Keys of one meaning, and their words.
-pub struct Binding {
-    /// The words on its button and in the help.
-    pub name: &'static str,
-    /// A sentence about it.
-    pub says: &'static str,
-    pub keys: &'static [Bound],
-}
+/// The words on a button and in the help, a sentence, and the keys of this meaning.
+pub type Binding = (&'static str, &'static str, &'static [Bound]);
 
 /// A key with its modifiers, and its action.
 pub type Bound = (Modifiers, Key, Action);
@@ -76,69 +70,65 @@ const CTRL: Modifiers = Modifiers::COMMAND;
 const SHIFT: Modifiers = Modifiers::SHIFT;
 const BOTH: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-const fn bind(name: &'static str, says: &'static str, keys: &'static [Bound]) -> Binding {
-    Binding { name, says, keys }
-}
-
 /// Every key, by the sections and in the order of the help.
 #[rustfmt::skip]
 pub const BINDINGS: &[(&str, &[Binding])] = &[
     ("Lights", &[
-        bind("white light", "Switches this light on and off.", &[(NO, Key::W, Action::LightNamed("white"))]),
-        bind("red light", "Switches this light on and off.", &[(NO, Key::R, Action::LightNamed("red"))]),
-        bind("specular light", "Switches this light on and off.", &[(NO, Key::S, Action::LightNamed("specular"))]),
-        bind("ambient light", "Switches this light on and off.", &[(NO, Key::A, Action::LightNamed("ambient"))]),
-        bind("first to ninth light", "", &[
+        ("white light", "Switches this light on and off.", &[(NO, Key::W, Action::LightNamed("white"))]),
+        ("red light", "Switches this light on and off.", &[(NO, Key::R, Action::LightNamed("red"))]),
+        ("specular light", "Switches this light on and off.", &[(NO, Key::S, Action::LightNamed("specular"))]),
+        ("ambient light", "Switches this light on and off.", &[(NO, Key::A, Action::LightNamed("ambient"))]),
+        ("first to ninth light", "", &[
             (NO, Key::Num1, Action::Light(0)), (NO, Key::Num2, Action::Light(1)), (NO, Key::Num3, Action::Light(2)),
             (NO, Key::Num4, Action::Light(3)), (NO, Key::Num5, Action::Light(4)), (NO, Key::Num6, Action::Light(5)),
             (NO, Key::Num7, Action::Light(6)), (NO, Key::Num8, Action::Light(7)), (NO, Key::Num9, Action::Light(8)),
         ]),
     ]),
     ("Shading", &[
-        bind("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Action::Shading(ShadingMode::Gouraud))]),
-        bind("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
-        bind("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
-        bind("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Action::Tolerance(1)), (NO, Key::PageUp, Action::Tolerance(1))]),
-        bind("hold the time", "Draws by the most exact method whose frames keep a budget of time.", &[(NO, Key::M, Action::HoldTime)]),
+        ("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Action::Shading(ShadingMode::Gouraud))]),
+        ("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
+        ("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
+        ("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Action::Tolerance(1)), (NO, Key::PageUp, Action::Tolerance(1))]),
+        ("hold the time", "Draws by the most exact method whose frames keep a budget of time.", &[(NO, Key::M, Action::HoldTime)]),
     ]),
     ("Camera", &[
-        bind("next camera", "The camera that is looked through.", &[(NO, Key::C, Action::NextCamera)]),
-        bind("projection", "In perspective rays leave the eye; in orthographic projection they are parallel.", &[(NO, Key::O, Action::NextProjection)]),
-        bind("orbit, or drag", "", &[
+        ("next camera", "The camera that is looked through.", &[(NO, Key::C, Action::NextCamera)]),
+        ("projection", "In perspective rays leave the eye; in orthographic projection they are parallel.", &[(NO, Key::O, Action::NextProjection)]),
+        ("orbit, or drag", "", &[
             (NO, Key::ArrowLeft, Action::Orbit(-ORBIT_STEP, 0.0)), (NO, Key::ArrowRight, Action::Orbit(ORBIT_STEP, 0.0)),
             (NO, Key::ArrowUp, Action::Orbit(0.0, ORBIT_STEP)), (NO, Key::ArrowDown, Action::Orbit(0.0, -ORBIT_STEP)),
         ]),
-        bind("zoom, or wheel", "", &[(NO, Key::Plus, Action::Zoom(1)), (NO, Key::Equals, Action::Zoom(1)), (NO, Key::Minus, Action::Zoom(-1))]),
-        bind("turn the cuboids", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Action::Rotate)]),
-        bind("reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Action::ResetView)]),
+        ("zoom, or wheel", "", &[(NO, Key::Plus, Action::Zoom(1)), (NO, Key::Equals, Action::Zoom(1)), (NO, Key::Minus, Action::Zoom(-1))]),
+        ("turn the cuboids", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Action::Rotate)]),
+        ("reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Action::ResetView)]),
     ]),
     ("View", &[
-        bind("picture", "The picture as it is shaded.", &[(NO, Key::F2, Action::View(ViewMode::Picture))]),
-        bind("Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Action::View(ViewMode::Wipe))]),
-        bind("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Action::WipeExact)]),
-        bind("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
-        bind("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),
-        bind("blink (hold)", "While this is held, exact Phong and the picture take turns. In a wipe its two sides take turns.", &[(NO, Key::B, Action::Blink)]),
-        bind("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Action::Worst)]),
-        bind("move the pixel", "", &[
+        ("picture", "The picture as it is shaded.", &[(NO, Key::F2, Action::View(ViewMode::Picture))]),
+        ("Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Action::View(ViewMode::Wipe))]),
+        ("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Action::WipeExact)]),
+        ("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
+        ("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),
+        ("blink (hold)", "While this is held, exact Phong and the picture take turns. In a wipe its two sides take turns.", &[(NO, Key::B, Action::Blink)]),
+        ("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Action::Worst)]),
+        ("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Action::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Action::Probe(1, 0)),
             (SHIFT, Key::ArrowUp, Action::Probe(0, -1)), (SHIFT, Key::ArrowDown, Action::Probe(0, 1)),
         ]),
     ]),
     ("Scene", &[
-        bind("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
-        bind("required parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
-        bind("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),
-        bind("redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Action::Redo), (CTRL, Key::Y, Action::Redo)]),
-        bind("save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Action::Save)]),
-        bind("save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Action::SaveAs)]),
+        ("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
+        ("required parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
+        ("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),
+        ("redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Action::Redo), (CTRL, Key::Y, Action::Redo)]),
+        ("save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Action::Save)]),
+        ("save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Action::SaveAs)]),
     ]),
     ("Window", &[
-        bind("left panel", "Folds and opens the panel on the left.", &[(NO, Key::I, Action::Panel)]),
-        bind("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
-        bind("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
-        bind("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Action::Close)]),
-        bind("quit", "Ends the program.", &[(NO, Key::Q, Action::Quit)]),
+        ("left panel", "Folds and opens the panel on the left.", &[(NO, Key::I, Action::Panel)]),
+        ("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
+        ("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
+        ("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Action::Close)]),
+        ("quit", "Ends the program.", &[(NO, Key::Q, Action::Quit)]),
     ]),
 ];
 
@@ -151,7 +141,7 @@ fn bindings() -> impl Iterator<Item = &'static Binding> {
 
 /// All keys.
 pub fn keys() -> impl Iterator<Item = &'static Bound> {
-    bindings().flat_map(|binding| binding.keys)
+    bindings().flat_map(|binding| binding.2)
 }
 
 /// The action of a press. A key that needs no shift acts with shift too: some layouts have digits there.
@@ -167,7 +157,7 @@ pub fn action(key: Key, modifiers: Modifiers) -> Option<Action> {
 
 /// The row of an action.
 pub fn binding(action: Action) -> Option<&'static Binding> {
-    let is_bound = |binding: &&Binding| binding.keys.iter().any(|key| key.2 == action);
+    let is_bound = |(.., keys): &&Binding| keys.iter().any(|key| key.2 == action);
     bindings().find(is_bound)
 }
 

@@ -164,9 +164,9 @@ fn key_table(ui: &mut Ui, sections: &[(&str, &[Binding])]) {
         for (section, rows) in sections {
             ui.strong(*section);
             ui.end_row();
-            for row in *rows {
-                let keys: Vec<String> = row.keys.iter().map(caption_of).collect();
-                ui.label(row.name);
+            for (name, _, keys) in *rows {
+                let keys: Vec<String> = keys.iter().map(caption_of).collect();
+                ui.label(*name);
                 ui.weak(keys.join("  "));
                 ui.end_row();
             }

@@ -225,7 +225,7 @@ fn heading(text: &str) -> String {
 
 /// A button with the name and the key of an action, and its sentence as a tooltip.
 fn action_button(ui: &mut Ui, action: Action, is_chosen: bool) -> Response {
-    let (name, says) = binding(action).map_or(("", ""), |it| (it.name, it.says));
+    let (name, says) = binding(action).map_or(("", ""), |it| (it.0, it.1));
     let button = Button::selectable(is_chosen, name).shortcut_text(caption(action));
     let button = button.sense(Sense::click_and_drag());
     ui.add(button).on_hover_text(says)

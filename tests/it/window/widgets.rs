@@ -85,17 +85,17 @@ fn every_button_does_what_its_key_does() {
     let mut harness = widgets(app(default_scene(), size, Level::new()), size);
     let start = record(&harness);
     let mut count = 0;
-    for binding in BINDINGS.iter().flat_map(|section| section.1) {
-        let (modifiers, key, action) = binding.keys[0];
+    for (name, _, keys) in BINDINGS.iter().flat_map(|section| section.1) {
+        let (modifiers, key, action) = keys[0];
         // They write files, and act while they are held.
         let is_other = matches!(action, Action::Save | Action::SaveAs | Action::Blink);
-        if places(&harness, binding.name).is_empty() || is_other {
+        if places(&harness, name).is_empty() || is_other {
             continue;
         }
         // The state after the click or the key; then everything is as before.
         let mut look = |clicks: bool| {
             if clicks {
-                click(&mut harness, binding.name);
+                click(&mut harness, name);
             } else {
                 harness.key_press_modifiers(modifiers, key);
                 harness.run_ok();
@@ -112,7 +112,7 @@ fn every_button_does_what_its_key_does() {
             harness.run_ok();
             state
         };
-        assert_eq!(look(true), look(false), "{}", binding.name);
+        assert_eq!(look(true), look(false), "{name}");
         count += 1;
     }
     assert!(count > 12, "{count}");
