@@ -15,6 +15,11 @@ pub fn short(value: impl Into<Option<f64>>) -> String {
     }
 }
 
+/// A number with this many digits after its first.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.digits$e}").parse().unwrap_or(value)
+}
+
 /// A number with an exponent and two significant digits or fewer.
 pub fn scientific(value: f64) -> String {
     format!("{value:.1e}").replace(".0e", "e")

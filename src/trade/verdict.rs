@@ -5,7 +5,7 @@
 
 use super::measurement::Measurement;
 use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
-use crate::report::words::{capital, short};
+use crate::report::words::{capital, rounded, short};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
@@ -74,21 +74,15 @@ fn pace(one: &Measurement, other: &Measurement) -> String {
         (one.median / other.median, "slower")
     };
     let is_sure = one.is_measurably_less_than(other) || other.is_measurably_less_than(one);
+    // Just above 1, three digits.
+    let times = rounded(ratio, if ratio < 1.1 { 2 } else { 1 });
     match is_sure {
-        true if ratio.is_finite() => format!("{} times {word} than", two_digits(ratio)),
+        true if ratio.is_finite() => format!("{times} times {word} than"),
         // The smaller time is too short for the clock.
         true => format!("{word} than"),
-        false if ratio > ALIKE => format!("perhaps {} times {word} than", two_digits(ratio)),
+        false if ratio > ALIKE => format!("perhaps {times} times {word} than"),
         false => "about as fast as".to_owned(),
     }
-}
-
-/// A ratio in two significant digits, or three just above 1.
-fn two_digits(ratio: f64) -> String {
-    let digits = if ratio < 1.1 { 2 } else { 1 };
-    let text = format!("{ratio:.digits$e}");
-    text.parse()
-        .map_or(text, |rounded: f64| rounded.to_string())
 }
 
 /// A method in words: "Phong within half a level".

@@ -6,7 +6,7 @@ use egui::Ui;
 
 use super::app::App;
 use super::keys::Action;
-use super::widgets::{short, slider, two_digits};
+use super::widgets::{rounded, short, slider};
 use crate::components::Viewer;
 use crate::components::range::Milliseconds;
 use crate::trade::budget::{Hold, best_trades, fitting, held, over};
@@ -61,7 +61,7 @@ impl App {
             (Some(budget), _) => {
                 let (least, most) = Milliseconds::RANGE.into_inner();
                 self.set_tolerance(Viewer::TOLERANCE);
-                self.viewer_mut().budget = Some(two_digits(budget.clamp(least, most)));
+                self.viewer_mut().budget = Some(rounded(budget.clamp(least, most), 1));
             }
         }
     }

@@ -13,7 +13,7 @@ use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points
 use super::app::App;
 use super::keys::{Action, caption};
 use super::style::{GOURAUD, PHONG, STALE, mode_ink};
-use super::widgets::{ink, short, still, two_digits};
+use super::widgets::{ink, rounded, short, still};
 use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
@@ -159,7 +159,7 @@ fn axes() -> Plot<'static> {
         };
         ticks.into_iter().map(mark).collect()
     };
-    let words = |mark: GridMark, _: &_| two_digits(10_f64.powf(mark.value)).to_string();
+    let words = |mark: GridMark, _: &_| rounded(10_f64.powf(mark.value), 1).to_string();
     let plot = Plot::new("trade").height(CHART).sense(Sense::hover());
     let plot = plot.x_grid_spacer(marks).y_grid_spacer(marks);
     let plot = plot.x_axis_formatter(words).y_axis_formatter(words);

@@ -8,16 +8,11 @@ use glam::DVec3;
 
 use super::facts::Latest;
 use super::style::{INK, STALE};
-pub use crate::report::words::short;
-
-/// A number rounded to two significant digits, which is as fine as a hand moves a slider.
-pub fn two_digits(value: f64) -> f64 {
-    format!("{value:.1e}").parse().unwrap_or(value)
-}
+pub use crate::report::words::{rounded, short};
 
 /// Six significant digits at most, with an exponent where the number is very large or small.
 fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let rounded = rounded(value, 5);
     match rounded.abs() {
         0.0 => "0".to_owned(),
         1e-3..1e6 => rounded.to_string(),
@@ -67,7 +62,8 @@ pub fn slider(
         let slider = slider.smallest_positive(least).custom_parser(typed);
         let response = ui.add(slider.custom_formatter(format_number));
         if response.on_hover_text(says).dragged() {
-            *value = two_digits(*value);
+            // As fine as a hand moves a slider.
+            *value = rounded(*value, 1);
         }
         ui.weak(keys);
     });
