@@ -174,9 +174,18 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
 fn labels_do_not_overlap_where_points_coincide() {
     let mut report = report();
     report.methods = vec![report.methods[0].clone(); 9];
-    let mut rows = Svg::of(&report).rows("gouraud-0.5");
-    rows.sort_by(f64::total_cmp);
-    assert_eq!(rows.len(), 9);
-    let is_free = |rows: &[f64]| rows[1] - rows[0] >= 12.0;
-    assert!(rows.windows(2).all(is_free), "{rows:?}");
+    for on_front in [true, false] {
+        report
+            .methods
+            .iter_mut()
+            .for_each(|it| it.on_front = on_front);
+        let plot = Svg::of(&report);
+        let mut rows = plot.rows("gouraud-0.5");
+        rows.sort_by(f64::total_cmp);
+        assert_eq!(rows.len(), 9);
+        let is_free = |rows: &[f64]| rows[1] - rows[0] >= 12.0;
+        assert!(rows.windows(2).all(is_free), "{rows:?}");
+        let middle = plot.circle[0].center_y;
+        assert!(rows.iter().all(|row| (*row > middle) == on_front));
+    }
 }

@@ -92,6 +92,9 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     assert_eq!(read(&file("cuboid.toml")).light[0].intensity, 3.0);
     assert_eq!(read(&file("cuboid-3.toml")), window.record());
     assert_eq!(fs::read(file("cuboid-2.toml")).expect("read"), b"mine");
+    edit(&mut window, 5.0);
+    let told = window.app.rescue().expect("written");
+    assert!(told.is_some_and(|told| told.contains("cuboid-3-unsaved.toml")));
 }
 
 #[test]
@@ -167,13 +170,24 @@ fn another_scene_takes_no_edits_with_it() {
 }
 
 #[test]
-fn the_file_that_was_open_is_listed_with_the_built_in_scenes() {
-    let (mut window, path) = on_file();
+fn scenes_in_the_folder_of_the_last_file_are_listed_with_the_built_in_ones() {
+    let (mut window, other) = on_file();
+    let folder = other.with_file_name("own");
+    fs::create_dir(&folder).expect("made");
+    let path = folder.join("mine.toml");
+    fs::rename(other, &path).expect("moved");
+    window.app.open(Scene::load_path(&path).expect("a scene"));
+    for name in ["Cargo.toml", "scene.txt"] {
+        let text = [BUILT_IN[0].1, "[package]"][usize::from(name == "Cargo.toml")];
+        fs::write(path.with_file_name(name), text).expect("written");
+    }
     let scene = Scene::load(Some("assignment")).expect("built in");
     window.app.choose(scene);
     let mut harness = widgets(window.app, [1000, 1000]);
     harness.get_by_value("assignment").click();
     harness.run_ok();
+    let listed = |label: &str| harness.query_by_label_contains(label).is_some();
+    assert!(!listed("Cargo.toml") && !listed("scene.txt"));
     harness.get_by_label(&path.to_string_lossy()).click();
     harness.run_ok();
     assert_eq!(harness.state().file.path, Some(path));

@@ -221,6 +221,14 @@ fn entities_are_copied_renamed_and_deleted() {
         click(&mut harness, ["new light", "delete"][usize::from(is_fewer)]);
         assert_eq!(counts(&harness)[1], lights);
     }
+    // A new one comes in sight in a long list.
+    let mut many = start.clone();
+    many.light = vec![start.light[0].clone(); 60];
+    (many.light.iter_mut().enumerate()).for_each(|(place, it)| it.name = format!("own {place}"));
+    harness.state_mut().restore(&many);
+    harness.run_ok();
+    click(&mut harness, "new light");
+    click_inside(&mut harness, "light 61");
     harness.state_mut().restore(&start);
     harness.run_ok();
     // The last cuboid cannot be deleted.
