@@ -185,8 +185,8 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
-//! takes components, [`report::progress`] and [`frame::NO_TRIANGLE`], never a formula of the renderer's; [`report`] imports no
-//! module of this crate; [`cli`] imports what options are converted and checked with; minifb is named in [`window`] alone, and
+//! takes components, [`memory`], [`report::progress`] and [`frame::NO_TRIANGLE`], never a formula of the renderer's; [`report`]
+//! imports no module of this crate; [`cli`] imports what options are converted and checked with; minifb is named in [`window`] alone, and
 //! egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map of [`trade`].
 //!
 //! # What is not modelled, and why

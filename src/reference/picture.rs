@@ -281,16 +281,13 @@ pub fn picture(
     let reference = Reference::<f64>::new(world, view);
     let ([width, height], above) = (view.size, rows.start);
     let size = [width, rows.len()];
-    let mut truth = Truth {
-        width,
-        levels: memory::reserve_pixels(size)?,
-        triangles: memory::reserve_pixels(size)?,
-    };
-    truth.levels.resize(width * rows.len(), [0.0; 3]);
-    truth.triangles.resize(width * rows.len(), NO_TRIANGLE);
-    let levels = truth.levels.par_chunks_mut(width);
-    let triangles = truth.triangles.par_chunks_mut(width);
-    let rows = rows.into_par_iter().zip(levels.zip(triangles));
+    let mut levels = memory::reserve_pixels(size)?;
+    levels.resize(width * rows.len(), [0.0; 3]);
+    let mut triangles = memory::reserve_pixels(size)?;
+    triangles.resize(width * rows.len(), NO_TRIANGLE);
+    let lines = levels.par_chunks_mut(width);
+    let lines = lines.zip(triangles.par_chunks_mut(width));
+    let rows = rows.into_par_iter().zip(lines);
     let draw = |(y, (levels, triangles)): (_, (&mut [_], &mut [_]))| {
         reference.row(y, |x, seen| {
             // In floats a pixel shows exactly one surface.
@@ -300,5 +297,9 @@ pub fn picture(
         Ok(())
     };
     monitor.in_parallel("drawing the reference", rows, [above, height], draw)?;
-    Ok(truth)
+    Ok(Truth {
+        width,
+        levels,
+        triangles,
+    })
 }

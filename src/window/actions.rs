@@ -245,7 +245,9 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
     });
     let mut words = paths.next().unwrap_or_default();
     let mut last = words.last().cloned();
+    let mut are_entities = words.len() == 2;
     for path in paths {
+        are_entities &= path.len() == 2;
         let common = words
             .iter()
             .zip(&path)
@@ -258,6 +260,7 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
         ([_, _, ..], _) => words.join(" "),
         ([only], Some(key)) if *only == key => key,
         (_, Some(key)) => format!("{key} of several"),
+        ([kind], None) if are_entities => format!("{kind} name"),
         _ => "several changes".to_owned(),
     }
 }

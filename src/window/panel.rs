@@ -26,8 +26,8 @@ const TOLERANCE: [&str; 3] = [
      A coarser tolerance is faster, and 0 is exact.",
 ];
 
-/// Files of this size, in bytes, are not listed: their texts are read each time the list is shown.
-const LARGE: u64 = 1 << 20;
+/// Files of this size, in bytes, are not listed: no scene is so large.
+const LARGE: u64 = 16 << 20;
 
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {
@@ -210,7 +210,7 @@ impl App {
             let is_small = found.is_file() && found.len() < LARGE;
             let is_named = path.extension()? == "toml";
             let text = (is_small && is_named).then(|| fs::read_to_string(&path))?;
-            let text = text.ok().filter(|text| text.contains("[[cuboid]]"))?;
+            let text = text.ok().filter(|text| text.contains("cuboid"))?;
             Some((path.to_str()?.to_owned(), text))
         };
         paths.into_iter().filter_map(scene).collect()

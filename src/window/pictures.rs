@@ -35,7 +35,7 @@ pub struct Pictures {
     levels: Frame,
     /// Left and right of the divider, as far as the renderer draws them; 0x00RRGGBB.
     pub sides: [Vec<u32>; 2],
-    /// The milliseconds of the last frame; `None` in a wipe, which has two.
+    /// The milliseconds of the last frame; `None` in a wipe that draws two.
     pub time: Option<f64>,
 }
 

@@ -1,6 +1,6 @@
 //! Writes the pixels of a square into a band, as displayed bytes or as levels.
 //!
-//! Only covered pixels in the rows of the band are written, and with several cuboids only those that show this face.
+//! Only covered pixels in the rows of the band are written, and where faces overlap only those that show this one.
 
 use std::ops::Range;
 

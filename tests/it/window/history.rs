@@ -105,7 +105,7 @@ fn undo_does_not_change_rotation_and_tab() {
 #[test]
 fn an_undone_change_is_named() {
     type Change = fn(&mut SceneRecord);
-    let changes: [(Change, &str); 6] = [
+    let changes: [(Change, &str); 7] = [
         (|it| it.light[1].intensity = 3.0, "light red intensity"),
         (
             |it| it.light.iter_mut().for_each(|it| it.on = false),
@@ -114,10 +114,14 @@ fn an_undone_change_is_named() {
         (|it| drop(it.light.remove(0)), "light white"),
         (
             |it| it.camera[0].name = "camera 1".to_owned(),
-            "several changes",
+            "camera name",
         ),
         (|it| it.cuboid[0].size *= 2.0, "cuboid emerald size"),
         (|it| it.background.x = 3.0, "background"),
+        (
+            |it| (it.light[1].gain, it.background.x) = (2.0, 3.0),
+            "several changes",
+        ),
     ];
     for (change, words) in changes {
         let mut window = Window::open();
