@@ -51,11 +51,11 @@ const FEATURE_WIDTH: f64 = 0.082;
 ///
 /// The pictures have one size. Their displayed bytes are taken as sRGB. Beyond the border of the picture its outermost
 /// pixels repeat. `pixels_per_degree` is at least 1.
-pub fn mean<T, U>(left: Picture<T>, right: Picture<U>, pixels_per_degree: f64) -> Option<f64>
-where
-    T: Into<f64> + Copy + Sync,
-    U: Into<f64> + Copy + Sync,
-{
+pub fn mean(
+    left: Picture<impl Into<f64> + Copy + Sync>,
+    right: Picture<f64>,
+    pixels_per_degree: f64,
+) -> Option<f64> {
     let counts = |pixel: &usize| left.shows_as(&right, *pixel);
     let pixels: Vec<usize> = (0..left.levels.len()).filter(counts).collect();
     if pixels.is_empty() {

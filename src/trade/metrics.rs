@@ -126,11 +126,10 @@ impl<T> Picture<'_, T> {
 }
 
 /// Compares two pictures of one size, pixel by pixel. Their order does not matter.
-pub fn compared<T, U>(left: Picture<T>, right: Picture<U>) -> impl Iterator<Item = Pixel>
-where
-    T: Into<f64> + Copy,
-    U: Into<f64> + Copy,
-{
+pub fn compared(
+    left: Picture<impl Into<f64> + Copy>,
+    right: Picture<f64>,
+) -> impl Iterator<Item = Pixel> {
     (0..left.levels.len()).map(move |pixel| {
         if [left.triangles[pixel], right.triangles[pixel]] == [NO_TRIANGLE; 2] {
             Pixel::Nothing
@@ -143,11 +142,7 @@ where
 }
 
 /// Compares two pictures of one size. Their order does not matter.
-pub fn compare<T, U>(left: Picture<T>, right: Picture<U>) -> Difference
-where
-    T: Into<f64> + Copy,
-    U: Into<f64> + Copy,
-{
+pub fn compare(left: Picture<impl Into<f64> + Copy>, right: Picture<f64>) -> Difference {
     let (mut errors, mut edge_pixels) = (Vec::new(), 0);
     let (mut max, mut max_pixel) = (-1.0, [0; 2]);
     for (index, pixel) in compared(left, right).enumerate() {
