@@ -32,10 +32,9 @@ mod questions;
 pub mod recording;
 pub mod replay;
 mod screen;
-pub mod style;
 mod tags;
 pub mod viewport;
-mod widgets;
+pub mod widgets;
 
 use std::fs::File;
 use std::path::Path;

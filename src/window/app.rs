@@ -101,7 +101,7 @@ impl App {
         let scene = drawing.scene;
         let state = Arc::new(SceneRecord::of(&scene.world));
         let painter = Painter::default();
-        super::style::apply(&painter.context);
+        super::widgets::apply_style(&painter.context);
         let desk = Desk {
             panel_folded: drawing.size[0] < NARROW,
             ..Desk::default()

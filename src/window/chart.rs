@@ -12,8 +12,7 @@ use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points
 
 use super::app::App;
 use super::keys::{Action, caption};
-use super::style::{GOURAUD, PHONG, STALE, mode_ink};
-use super::widgets::{ink, rounded, short, still};
+use super::widgets::{GOURAUD, PHONG, STALE, ink, mode_ink, rounded, short, still};
 use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
 use crate::report::words::capital;

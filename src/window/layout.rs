@@ -9,8 +9,7 @@ use egui::{
 
 use super::app::App;
 use super::keys::{BINDINGS, Binding, caption_of};
-use super::style::{BAD, GOOD, INK, STALE};
-use super::widgets::short;
+use super::widgets::{BAD, GOOD, INK, STALE, short};
 use crate::components::{Side, Tab, ViewMode};
 use crate::shading::Method;
 use crate::trade::verdict::method_name;

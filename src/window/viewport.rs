@@ -7,7 +7,7 @@ use egui::{
 
 use super::app::App;
 use super::pictures::divider_column;
-use super::style::BAD;
+use super::widgets::BAD;
 use crate::components::{Camera, Orbit, Tab, ViewMode, active_camera, get};
 
 /// How far a drag across the picture's shorter side turns, in degrees.

@@ -12,8 +12,7 @@ use crate::probe::ProbedSurface;
 use crate::report::words::CHANNELS;
 use crate::trade::metrics::displayed;
 use crate::window::app::App;
-use crate::window::style::{BAD, GOURAUD, PHONG, STALE};
-use crate::window::widgets::{slider, still};
+use crate::window::widgets::{BAD, GOURAUD, PHONG, STALE, slider, still};
 
 /// The length of a line of numbers, in font sizes.
 const LINE: f32 = 45.0 * 0.61;

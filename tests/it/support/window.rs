@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
-use shadetrade::window::{app::App, style};
+use shadetrade::window::{app::App, widgets};
 
 /// The built-in default scene.
 pub fn default_scene() -> Scene {
@@ -32,7 +32,7 @@ pub fn widgets(app: App, size: [usize; 2]) -> Harness<'static, App> {
     let builder = Harness::builder().with_size(size.map(|side| side as f32));
     let mut harness = builder.build_ui_state(
         |ui, app: &mut App| {
-            style::apply(ui.ctx());
+            widgets::apply_style(ui.ctx());
             let all = UiBuilder::new().max_rect(ui.ctx().content_rect());
             ui.scope_builder(all, |ui| app.ui(ui));
         },
