@@ -62,17 +62,18 @@ impl ProbedSurface {
     }
 }
 
-/// Evaluates pixel (`x`, `y`), which must lie inside the picture for `view`.
+/// Evaluates a pixel, which must lie inside the picture for `view`.
 ///
 /// # Errors
 /// If 32 rows of the picture do not fit in memory.
 pub fn at(
     scene: &mut Scene,
     view: &View,
-    [x, y]: [usize; 2],
+    pixel: [usize; 2],
     level: Level,
 ) -> Result<Probe, OutOfMemory> {
-    let mut probes = look(scene, view, y, level, |_| vec![x])?;
+    let mut probes = section(scene, view, pixel, level)?;
+    probes.retain(|probe| probe.pixel == pixel);
     Ok(probes.remove(0))
 }
 
@@ -88,30 +89,6 @@ pub fn section(
     level: Level,
 ) -> Result<Vec<Probe>, OutOfMemory> {
     let lights = scene.world.query_mut::<&Light>().into_iter().count();
-    look(scene, view, y, level, |triangles| {
-        let is_seen = |column: &usize| face(triangles[*column]) == face(triangles[x]);
-        if triangles[x] == NO_TRIANGLE {
-            return vec![x];
-        }
-        let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
-        let last = (x..triangles.len()).take_while(is_seen).last();
-        let columns = first..=last.unwrap_or(x);
-        let step = (columns.clone().count() * lights / MOST_TERMS).max(1);
-        let is_kept = |column: &usize| {
-            (column - first).is_multiple_of(step) || *column == x || column == columns.end()
-        };
-        columns.clone().filter(is_kept).collect()
-    })
-}
-
-/// Evaluates some columns of row `y`. `choose` picks them by the triangles that the row shows.
-fn look(
-    scene: &mut Scene,
-    view: &View,
-    y: usize,
-    level: Level,
-    choose: impl FnOnce(&[u32]) -> Vec<usize>,
-) -> Result<Vec<Probe>, OutOfMemory> {
     let [width, height] = view.size;
     // Squares lie in strips of this height.
     let top = y / MAX_SIDE * MAX_SIDE;
@@ -125,7 +102,16 @@ fn look(
     let gouraud = draw(&view.shaded(ShadingMode::Gouraud))?;
     let phong = draw(&view.shaded(ShadingMode::Phong))?;
     let row = (y - top) * width;
-    let columns = choose(&own.triangles()[row..row + width]);
+    let triangles = &own.triangles()[row..row + width];
+    let is_seen = |column: &usize| {
+        triangles[x] != NO_TRIANGLE && face(triangles[*column]) == face(triangles[x])
+    };
+    let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
+    let last = (x..width).take_while(is_seen).last().unwrap_or(x);
+    let step = ((last + 1 - first) * lights / MOST_TERMS).max(1);
+    let is_kept =
+        |column: &usize| (column - first).is_multiple_of(step) || [x, last].contains(column);
+    let columns: Vec<usize> = (first..=last).filter(is_kept).collect();
     let samples = reference::in_row(&scene.world, view, y, &columns);
     let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode)>();
     let cuboids: Vec<_> = query.iter().collect();
