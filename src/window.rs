@@ -14,7 +14,6 @@ mod budget;
 mod changes;
 mod chart;
 pub mod comparison;
-pub mod desk;
 pub mod display;
 mod edits;
 pub mod facts;

@@ -17,7 +17,6 @@ use hecs::{Ref, RefMut};
 use rayon::ThreadPool;
 
 use super::changes::{is_another_method, is_another_view};
-use super::desk::{Desk, Message};
 use super::facts::{Facts, Question, Work, pools};
 use super::file::{INTERVAL, SceneFile};
 use super::history::History;
@@ -81,6 +80,38 @@ pub struct App {
     pub(super) hold: Hold,
     /// The state, the size and the method in place of the state's, as they were drawn last.
     pub(super) drawn: Option<(Arc<SceneRecord>, [usize; 2], Option<Method>)>,
+}
+
+/// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
+pub type EntityPlace = (&'static str, usize);
+
+/// A message in the status line.
+pub struct Message {
+    pub text: String,
+    /// When it goes.
+    pub until: Duration,
+}
+
+/// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
+#[derive(Default)]
+pub struct Desk {
+    pub help: bool,
+    pub panel_folded: bool,
+    /// Whether the panel and the inspector have room together. In a narrow window the inspector takes the panel's place.
+    pub has_both: bool,
+    /// Two pictures take turns since this time, while a key is held.
+    pub blinks: Option<Duration>,
+    pub message: Option<Message>,
+    /// The error in the scene's file.
+    pub file_error: Option<String>,
+    /// The folder of the file that was open before another scene was chosen.
+    pub last_folder: Option<PathBuf>,
+    /// The entity that the scene's tab shows.
+    pub selected: Option<EntityPlace>,
+    /// The side of a wipe whose worst pixel is sought, 0 for the picture, until the errors are known.
+    pub sought: Option<usize>,
+    /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.
+    pub clicked: Option<[usize; 2]>,
 }
 
 /// The part of a step that the window system carries out.

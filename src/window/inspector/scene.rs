@@ -12,8 +12,7 @@ use serde_json::{Value, json};
 use crate::components::names;
 use crate::scene::{BUILT_IN, SceneRecord};
 use crate::window::actions::difference;
-use crate::window::app::App;
-use crate::window::desk::EntityPlace;
+use crate::window::app::{App, EntityPlace};
 use crate::window::widgets::{color_button, number};
 
 /// The keys that have a colour picker.

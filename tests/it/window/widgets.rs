@@ -8,8 +8,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{Light, Projection, Tab, Viewer, names};
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::app::App;
-use shadetrade::window::desk::Desk;
+use shadetrade::window::app::{App, Desk};
 use shadetrade::window::keys::{Action, BINDINGS};
 
 use super::{PAUSE, Window, press};
