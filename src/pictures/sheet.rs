@@ -19,9 +19,8 @@ const DIM: u32 = 0x00a0_a0aa;
 
 /// The empty border of a sheet, in pixels.
 const MARGIN: usize = 40;
-/// Between two cells, without and with joiners.
+/// Between two cells.
 const GAP: usize = 32;
-const JOINED_GAP: usize = 72;
 /// From a picture to its label, and from the title to the pictures.
 const LABEL_GAP: usize = 10;
 const TITLE_GAP: usize = 24;
@@ -61,18 +60,13 @@ pub fn sheet(
     cells: &[Cell],
     [cell_width, cell_height]: [usize; 2],
 ) -> (Vec<u32>, [usize; 2]) {
-    let gap = if cells.iter().any(|(_, [.., joiner])| !joiner.is_empty()) {
-        JOINED_GAP
-    } else {
-        GAP
-    };
     let top = MARGIN + TITLE_HEIGHT + TITLE_GAP;
     let row_height = cell_height + LABEL_GAP + LABEL_HEIGHT;
     let rows = cells.len().div_ceil(columns);
-    let width = 2 * MARGIN + columns * cell_width + (columns - 1) * gap;
+    let width = 2 * MARGIN + columns * cell_width + (columns - 1) * GAP;
     let height = top + rows * row_height + rows.saturating_sub(1) * GAP + MARGIN;
     let place = |index: usize| {
-        let x = MARGIN + index % columns * (cell_width + gap);
+        let x = MARGIN + index % columns * (cell_width + GAP);
         [x, top + index / columns * (row_height + GAP)]
     };
 
@@ -100,7 +94,7 @@ pub fn sheet(
             let label = picture.bottom() + LABEL_GAP as f32;
             let end = write(pos2(x, label), left, LABEL, BRIGHT, heading);
             write(pos2(end + WORD_GAP, label), left, LABEL, DIM, remark);
-            let beside = picture.right_center() + vec2(gap as f32 / 2.0, 0.0);
+            let beside = picture.right_center() + vec2(GAP as f32 / 2.0, 0.0);
             write(beside, center, TITLE, BRIGHT, joiner);
         }
     });
