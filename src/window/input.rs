@@ -90,10 +90,8 @@ impl Input {
     /// The window lost or got the keyboard. Releases are not reported to a window without it.
     pub fn focus(&mut self, has_focus: bool) {
         for key in std::mem::take(&mut self.held) {
-            let release = named(key).map(|key| self.key(key, false, false));
-            self.events.extend(release);
+            self.report(KeyReport::Up(key), || None);
         }
-        self.modifiers = Modifiers::NONE;
         self.events.push(Event::WindowFocused(has_focus));
     }
 
