@@ -23,7 +23,6 @@ pub mod input;
 pub mod inspector;
 pub mod keys;
 mod layout;
-mod legend;
 pub mod lights;
 mod panel;
 pub mod pictures;
