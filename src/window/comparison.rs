@@ -14,13 +14,12 @@ use crate::trade::error_map::Scale;
 use crate::trade::metrics::{self, Picture};
 
 /// A picture against the reference in f64.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Comparison {
     /// Exact Phong, 0x00RRGGBB.
     pub exact: Vec<u32>,
-    /// The error against exact Phong in the colours of `scale`.
+    /// The error against exact Phong in the colours of the narrowest scale that holds it.
     pub error_map: Vec<u32>,
-    pub scale: Scale,
     /// The largest error, in levels of 255; `None` where nothing can be compared.
     pub error: Option<f64>,
 }
@@ -54,7 +53,6 @@ impl Comparison {
         Ok(Comparison {
             exact: exact_pixels,
             error_map: errors.into_iter().map(|it| scale.color(it)).collect(),
-            scale,
             error: largest,
         })
     }

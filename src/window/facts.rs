@@ -16,20 +16,11 @@ use crate::requires::PartChange;
 use crate::trade::Measurement;
 
 /// The last value found, perhaps of an earlier picture.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Latest<T> {
     pub value: Option<T>,
     /// Whether it is about the present picture. The value of an earlier one stays until then.
     pub is_current: bool,
-}
-
-impl<T> Default for Latest<T> {
-    fn default() -> Self {
-        Latest {
-            value: None,
-            is_current: false,
-        }
-    }
 }
 
 impl<T> Latest<T> {

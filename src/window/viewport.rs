@@ -188,13 +188,14 @@ impl App {
     fn error_legend(&self, ui: &mut Ui) {
         ui.label("error against exact Phong, levels");
         let comparison = self.facts.comparison.current();
-        let scale = comparison.map_or(Scale::WIDEST, |it| it.scale);
+        let largest = comparison.and_then(|it| it.error);
+        let known = comparison.map(|_| Scale::holding(largest.unwrap_or(0.0)));
+        let scale = known.unwrap_or(Scale::WIDEST);
         let size = vec2(ui.available_width().min(260.0), 26.0);
         let (place, response) = ui.allocate_exact_size(size, Sense::hover());
         response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");
         let painter = ui.painter_at(place);
         scale.draw(&painter, place, Color32::GRAY);
-        let largest = comparison.and_then(|it| it.error);
         let marks = [Some(self.viewer().tolerance), largest];
         for mark in marks.into_iter().flatten() {
             // The scale leaves room for its last label.
