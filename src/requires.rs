@@ -238,9 +238,10 @@ pub fn part_changes(
     Ok(parts.into_iter().zip(changes).map(part_change).collect())
 }
 
-/// Puts the part first whose absence causes the largest error.
-pub fn rank(parts: &mut [PartChange]) {
+/// The part first whose absence causes the largest error.
+pub fn ranked(mut parts: Vec<PartChange>) -> Vec<PartChange> {
     parts.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
+    parts
 }
 
 /// Tries each candidate together with those left out so far, because errors of parts add up or cancel. It stays out if the

@@ -7,7 +7,7 @@ use std::time::Duration;
 use serde_json::json;
 
 use super::bits::{StageBits, bits};
-use super::{Part, PartChange, least, part_changes, rank, without};
+use super::{Part, PartChange, least, part_changes, ranked, without};
 use crate::components::View;
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep, Workers};
@@ -37,7 +37,7 @@ const TIME: Duration = Duration::from_millis(250);
 /// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
-    let mut rows = rows(drawing, &view)?;
+    let rows = rows(drawing, &view)?;
     let stages = with_bar(|monitor| bits(&drawing.scene, &view, monitor))?;
     let record = json!({
         "scene": drawing.scene.name,
@@ -46,7 +46,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
         "parts": rows,
         "bits": stages,
     });
-    rank(&mut rows);
+    let rows = ranked(rows);
     print(&record, as_json, least_scene, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
         let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];

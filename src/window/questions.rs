@@ -15,7 +15,7 @@ use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
 use crate::report::Monitor;
-use crate::requires::{part_changes, rank};
+use crate::requires::{part_changes, ranked};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade::batch::time_here;
@@ -70,11 +70,7 @@ impl App {
             self.find(
                 Question::Require,
                 |facts| &mut facts.required,
-                |scene, view, monitor| {
-                    let mut parts = part_changes(scene, view, monitor)?;
-                    rank(&mut parts);
-                    Ok(parts)
-                },
+                |scene, view, monitor| part_changes(scene, view, monitor).map(ranked),
             );
         }
     }
