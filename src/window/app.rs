@@ -85,13 +85,6 @@ pub struct App {
 /// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
 pub type EntityPlace = (&'static str, usize);
 
-/// A message in the status line.
-pub struct Message {
-    pub text: String,
-    /// When it goes.
-    pub until: Duration,
-}
-
 /// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
 #[derive(Default)]
 pub struct Desk {
@@ -101,7 +94,8 @@ pub struct Desk {
     pub has_both: bool,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
-    pub message: Option<Message>,
+    /// Of the status line, and when it goes.
+    pub message: Option<(String, Duration)>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
     /// The folder of the file that was open before another scene was chosen.
@@ -260,7 +254,7 @@ impl App {
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
         let until = self.now + MESSAGE.max(LETTER * text.len() as u32);
-        self.desk.message = Some(Message { text, until });
+        self.desk.message = Some((text, until));
     }
 
     /// Puts the World into another state.

@@ -71,12 +71,12 @@ impl App {
 
     /// The status line: the facts about the picture, or a message.
     fn status(&mut self, ui: &mut Ui) {
-        self.desk.message.take_if(|it| it.until <= self.now);
+        self.desk.message.take_if(|(_, until)| *until <= self.now);
         ui.horizontal(|ui| {
-            if let Some(message) = &self.desk.message {
-                let rest = message.until.saturating_sub(self.now);
+            if let Some((text, until)) = &self.desk.message {
+                let rest = until.saturating_sub(self.now);
                 ui.ctx().request_repaint_after(rest);
-                let text = RichText::new(&message.text).strong();
+                let text = RichText::new(text).strong();
                 ui.add(Label::new(text).truncate());
             } else {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);

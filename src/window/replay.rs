@@ -56,8 +56,8 @@ impl<'a> Player<'a> {
         now: Duration,
         events: &[egui::Event],
     ) -> anyhow::Result<Duration> {
-        if let (Some(_), Some(message)) = (self.paused, &mut app.desk.message) {
-            message.until = message.until.max(now + AFTER_PAUSE);
+        if let (Some(_), Some((_, until))) = (self.paused, &mut app.desk.message) {
+            *until = (*until).max(now + AFTER_PAUSE);
         }
         if is_pressed(events, &[Key::Space]) {
             match self.paused.take() {

@@ -221,7 +221,7 @@ impl Window {
     /// The message in the status line.
     fn message(&self) -> &str {
         let message = self.app.desk.message.as_ref();
-        message.map_or("", |message| &message.text)
+        message.map_or("", |(text, _)| text)
     }
 
     /// The names of the saved files, in order.
