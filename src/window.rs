@@ -11,7 +11,6 @@
 mod actions;
 pub mod app;
 mod budget;
-mod changes;
 mod chart;
 pub mod comparison;
 pub mod display;

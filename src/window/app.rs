@@ -16,7 +16,7 @@ use egui::{Event, OutputCommand, Rect, ViewportId};
 use hecs::{Ref, RefMut};
 use rayon::ThreadPool;
 
-use super::changes::{is_another_method, is_another_view};
+use super::edits::{is_another_method, is_another_view};
 use super::facts::{Facts, Question, Work, pools};
 use super::file::{INTERVAL, SceneFile};
 use super::history::History;

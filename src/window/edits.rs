@@ -1,4 +1,5 @@
-//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again.
+//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them change
+//! the view.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -6,7 +7,6 @@ use std::sync::Arc;
 use anyhow::Context;
 
 use super::app::App;
-use super::changes::has_edits;
 use super::facts::Facts;
 use super::file::SceneFile;
 use super::history::History;
@@ -14,9 +14,17 @@ use crate::output::quoted;
 use crate::scene::{CameraRecord, Scene, SceneRecord};
 
 impl App {
-    /// Whether the scene was edited since it was saved.
+    /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
     pub fn is_edited(&self) -> bool {
-        has_edits(&self.state, &self.file.saved)
+        let (state, saved) = (&self.state, &self.file.saved);
+        state.background != saved.background
+            || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
+            || differ(&state.cuboid, &saved.cuboid, |it, saved| {
+                it.shading = saved.shading;
+            })
+            || differ(&state.camera, &saved.camera, |it, saved| {
+                it.orbit = saved.orbit;
+            })
     }
 
     /// The title of the window.
@@ -113,4 +121,34 @@ impl App {
             Err(error) => self.say(format!("not saved: {error:#}")),
         }
     }
+}
+
+/// Whether two states show the scene otherwise, whatever the method.
+pub fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
+    let (one, other) = (&before.view, &after.view);
+    one.camera != other.camera
+        || (one.projection, one.turned) != (other.projection, other.turned)
+        || before.background != after.background
+        || before.light != after.light
+        || before.camera != after.camera
+        || differ(&before.cuboid, &after.cuboid, |it, other| {
+            it.shading = other.shading;
+        })
+}
+
+/// Whether two states of one view are drawn by different methods.
+pub fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
+    before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
+}
+
+/// Whether two lists of entities differ after `forget` has overwritten fields of the first.
+fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
+    let differ = |(one, other): (&T, &T)| {
+        one != other && {
+            let mut one = one.clone();
+            forget(&mut one, other);
+            one != *other
+        }
+    };
+    one.len() != other.len() || one.iter().zip(other).any(differ)
 }
