@@ -162,25 +162,20 @@ impl App {
 
     /// The meaning of the colours of the error map or of tiles.
     fn legend(&self, ui: &mut Ui) {
-        match self.viewer().show {
-            ViewMode::Error => self.error_legend(ui),
-            ViewMode::Tiles => {
-                let counts = self.pictures.frame.counts().tiles;
-                let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
-                ui.label("squares, by the colour in them");
-                for ((kind, tint), count) in kinds {
-                    let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
-                    row.on_hover_text(match kind {
-                        TileKind::Linear => "Squares with a colour linear in x and y.",
-                        TileKind::Quadratic => "Squares with a colour quadratic in x and in y.",
-                        TileKind::Terminator => {
-                            "As quadratic, where n.l of one light changes sign."
-                        }
-                        _ => "Squares in which the model is evaluated at each pixel.",
-                    });
-                }
-            }
-            ViewMode::Picture | ViewMode::Wipe => {}
+        if self.viewer().show == ViewMode::Error {
+            return self.error_legend(ui);
+        }
+        let counts = self.pictures.frame.counts().tiles;
+        let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
+        ui.label("squares, by the colour in them");
+        for ((kind, tint), count) in kinds {
+            let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
+            row.on_hover_text(match kind {
+                TileKind::Linear => "Squares with a colour linear in x and y.",
+                TileKind::Quadratic => "Squares with a colour quadratic in x and in y.",
+                TileKind::Terminator => "As quadratic, where n.l of one light changes sign.",
+                _ => "Squares in which the model is evaluated at each pixel.",
+            });
         }
     }
 
