@@ -170,8 +170,8 @@ impl Frame {
         self.counts
     }
 
-    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. A
-    /// frame of `several` cuboids needs the visible triangles.
+    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. With
+    /// `several` cuboids the visible triangles are kept, too.
     ///
     /// # Errors
     /// If there is too little memory. The frame is then empty.

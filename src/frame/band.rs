@@ -39,7 +39,7 @@ impl Drawn {
         }
     }
 
-    /// Records, after clearing, that a span is drawn.
+    /// Records, after clearing, that a span is drawn. Where pieces overlap, [`Band::will_draw`] has not met all of them.
     pub fn drew(&mut self, span: &Range<usize>) {
         self.by_last = joined(self.by_last, span);
     }
@@ -80,8 +80,8 @@ impl<'a> Band<'a> {
     }
 
     /// Restores the background of some rows where the last frame drew, except in one run of each row that the next frame
-    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is its whole row. `overlaps` is for
-    /// [`Band::overlaps`].
+    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is its whole row. `overlaps` says
+    /// whether pieces overlap in these rows.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>, overlaps: bool) {
         let pixel = display_pixel(self.background.to_array());
@@ -111,8 +111,8 @@ impl<'a> Band<'a> {
         }
     }
 
-    /// Records, before clearing, that every pixel of a span in a row of the picture will be drawn. Runs are worth their time if a
-    /// few large faces are drawn.
+    /// Records, before clearing, that every pixel of a span in a row of the picture will be drawn. `in_runs` also joins spans to
+    /// runs, which pays for the few spans of one cuboid.
     #[inline(always)]
     pub fn will_draw(&mut self, row: usize, span: &Range<usize>, in_runs: bool) {
         let drawn = &mut self.drawn[row - self.rows.start];

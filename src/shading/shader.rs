@@ -161,14 +161,14 @@ impl Shader<'_> {
     }
 }
 
-/// The memory of a thread for one face, reused for the next.
+/// The memory of a thread, reused for each face and strip.
 #[derive(Debug, Default)]
 pub struct Scratch {
     /// The lights that reach the face; and the unit vectors to all lights at its corners, for unit vectors.
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,
     pub tiles: TileScratch,
-    /// A strip of the picture: a bit for each pixel that is covered, and the nearness of the visible pieces.
+    /// Of a strip: a bit for each pixel that is covered, and the nearness of the visible pieces, stale where no id is set.
     pub covered: Vec<u64>,
     pub depths: Vec<f64>,
 }

@@ -69,7 +69,9 @@ fn compare<S: Simd>(
     let several = list.objects.len() > 1;
     let words = band.width.div_ceil(64);
     scratch.covered.clear();
-    scratch.covered.resize(rows.len() * words, 0);
+    if several {
+        scratch.covered.resize(rows.len() * words, 0);
+    }
     let overlaps = list.strip(strip).any(|piece| {
         let spans = list.spans(piece);
         spans.within(rows).any(|(row, span)| {
@@ -126,7 +128,8 @@ fn cover(row: &mut [u64], span: Range<usize>) -> bool {
 }
 
 /// Writes a span of a piece into the depth buffer of a strip where it is nearest; `place` is its first pixel, relative to the
-/// middle of the picture. Depths of earlier strips are left where no piece is visible yet.
+/// middle of the picture. Where no id is set, the depth
+/// is that of an earlier strip, and counts as the farthest.
 #[inline(always)]
 fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
     let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);

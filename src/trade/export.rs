@@ -102,7 +102,7 @@ fn legend(report: &Report) -> String {
          greatest median of a run, each a process of its own. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
          belongs. Best trade: no other method errs less in a median time that is no longer, or errs as much and is \
-         measurably faster: the ranges do not overlap.{note}"
+         measurably faster (their ranges do not overlap).{note}"
     )
 }
 

@@ -232,7 +232,7 @@ impl App {
     }
 }
 
-/// The differences between two records as JSON, in words: "light white on", "shading of several", "several changes".
+/// The differences between two records as JSON, in words: "light white on", "shading of several cuboids", "several changes".
 pub(super) fn difference(before: &Value, after: &Value) -> String {
     let patch = json_patch::diff(&by_name(before), &by_name(after));
     let mut paths = patch.iter().map(|change| {
@@ -259,7 +259,7 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
         ([kind, name, ..], _) if name.starts_with(kind) => words[1..].join(" "),
         ([_, _, ..], _) => words.join(" "),
         ([only], Some(key)) if *only == key => key,
-        (_, Some(key)) => format!("{key} of several"),
+        ([kind], Some(key)) => format!("{key} of several {kind}s"),
         ([kind], None) if are_entities => format!("{kind} name"),
         _ => "several changes".to_owned(),
     }

@@ -115,10 +115,8 @@ impl App {
         let unmeasured = || {
             let time = self.milliseconds().unwrap_or_default();
             let (name, over) = (method_name(method), over(time, budget));
-            format!(
-                "While the picture changes: {name}, {} ms{over}",
-                short(time)
-            )
+            let time = short(time);
+            format!("Not measured yet: {name}, last frame {time} ms{over}")
         };
         held.map_or_else(unmeasured, |(_, text)| text)
     }

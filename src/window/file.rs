@@ -96,7 +96,7 @@ impl SceneFile {
                 )
             }
             Some(path) if stamp(&path) != self.seen => {
-                bail!("another program changed the file, which is read again first")
+                bail!("the file is another one, or gone; it is read again first")
             }
             Some(path) => {
                 Output::File(path.clone()).write(&text)?;
@@ -120,6 +120,7 @@ impl SceneFile {
         let text = scene::updated(&self.text, record);
         let stem = self.path.as_deref().and_then(Path::file_stem);
         let stem = stem.map_or(self.stem.as_str().into(), OsStr::to_string_lossy);
+        let stem = stem.replace(char::is_control, "_");
         write_new(folder, &format!("{stem}-unsaved"), &text)
     }
 }

@@ -17,7 +17,7 @@ use crate::trade::verdict::method_name;
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 213.0;
 const USUAL: f32 = 300.0;
-/// The part of the width that each of two sides takes is one in this many: 960x720 shows the whole default scene.
+/// By default each of two sides takes the width over this, and at most a quarter: 960x720 shows the whole default scene.
 const SHARED: f32 = 4.5;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;

@@ -26,7 +26,7 @@ const TOLERANCE: [&str; 3] = [
      A coarser tolerance is faster, and 0 is exact.",
 ];
 
-/// Files of this size, in bytes, are not listed: no scene is so large.
+/// Files of at least this size, in bytes, are not listed: no scene is so large.
 const LARGE: u64 = 16 << 20;
 
 impl App {
@@ -206,10 +206,10 @@ impl App {
         let mut paths: Vec<_> = names.map(|it| folder.join(it.file_name())).collect();
         paths.sort();
         let scene = |path: PathBuf| {
+            path.extension().filter(|it| *it == "toml")?;
             let found = fs::metadata(&path).ok()?;
             let is_small = found.is_file() && found.len() < LARGE;
-            let is_named = path.extension()? == "toml";
-            let text = (is_small && is_named).then(|| fs::read_to_string(&path))?;
+            let text = is_small.then(|| fs::read_to_string(&path))?;
             let text = text.ok().filter(|text| text.contains("cuboid"))?;
             Some((path.to_str()?.to_owned(), text))
         };

@@ -30,12 +30,12 @@ pub const TINTS: [u32; TileKind::ALL.len()] = [
 
 /// The frames of the present state.
 pub struct Pictures {
-    /// The frame as it is shaded; in a wipe the last side that was drawn.
+    /// The frame as it is shaded; in a wipe the last side that was drawn, or the picture if both sides are the reference.
     pub frame: Frame,
     levels: Frame,
     /// Left and right of the divider, as far as the renderer draws them; 0x00RRGGBB.
     pub sides: [Vec<u32>; 2],
-    /// The milliseconds of the last frame; `None` in a wipe that draws two.
+    /// The milliseconds of the last frame; `None` in a wipe that draws a side.
     pub time: Option<f64>,
 }
 

@@ -1,6 +1,6 @@
 //! Writes the pixels of a square into a band, as displayed bytes or as levels.
 //!
-//! Only covered pixels in the rows of the band are written, and where faces overlap only those that show this one.
+//! Only covered pixels in the rows of the band are written, and where pieces overlap only those that show this face.
 
 use std::ops::Range;
 
@@ -33,7 +33,8 @@ impl Canvas<'_, '_> {
     #[inline(always)]
     pub fn seen_pixels(&self, square: &Square) -> usize {
         let rows = self.rows(square);
-        let is_shown = self.band.triangles.is_empty() && rows == square.covered_rows();
+        let is_shown =
+            rows == square.covered_rows() && !rows.clone().any(|row| self.band.overlaps(row));
         if is_shown || square.pixels == 0 {
             return square.pixels;
         }

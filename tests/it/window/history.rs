@@ -109,7 +109,7 @@ fn an_undone_change_is_named() {
         (|it| it.light[1].intensity = 3.0, "light red intensity"),
         (
             |it| it.light.iter_mut().for_each(|it| it.on = false),
-            "on of several",
+            "on of several lights",
         ),
         (|it| drop(it.light.remove(0)), "light white"),
         (
