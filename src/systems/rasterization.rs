@@ -165,3 +165,33 @@ fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64],
         x += 1.0;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_overlaps_another_exactly_if_they_share_a_pixel() {
+        // They begin and end at the borders of words and beside them.
+        let ends = [0, 1, 62, 63, 64, 65, 127, 128, 129, 190, 191, 192];
+        let spans = ends.into_iter().flat_map(|from| ends.map(|to| from..to));
+        let spans: Vec<Range<usize>> = spans.filter(|span| !span.is_empty()).collect();
+        for one in &spans {
+            for other in &spans {
+                let mut row = [0; 3];
+                assert!(!cover(&mut row, one.clone()));
+                let both = (0..192).filter(|x| one.contains(x) && other.contains(x));
+                let shares_pixels = both.count() > 0;
+                assert_eq!(
+                    cover(&mut row, other.clone()),
+                    shares_pixels,
+                    "{one:?} {other:?}"
+                );
+                for x in 0..192 {
+                    let is_covered = one.contains(&x) || other.contains(&x);
+                    assert_eq!(row[x / 64] >> (x % 64) & 1 == 1, is_covered, "{x}");
+                }
+            }
+        }
+    }
+}
