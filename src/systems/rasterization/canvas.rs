@@ -33,14 +33,17 @@ impl Canvas<'_, '_> {
     #[inline(always)]
     pub fn seen_pixels(&self, square: &Square) -> usize {
         let rows = self.rows(square);
-        let is_shown =
-            rows == square.covered_rows() && !rows.clone().any(|row| self.band.overlaps(row));
-        if is_shown || square.pixels == 0 {
+        if rows.is_empty() {
+            return 0;
+        }
+        // A square lies in one strip.
+        let overlaps = self.band.overlaps(rows.start);
+        if !overlaps && rows == square.covered_rows() {
             return square.pixels;
         }
         let spans = self.spans.clipped(rows, square.columns);
         let seen = spans.map(|(row, span)| {
-            if !self.band.overlaps(row) {
+            if !overlaps {
                 return span.len();
             }
             let ids = self.band.triangles[self.band.indices(row, &span)].iter();
