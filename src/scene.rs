@@ -28,7 +28,7 @@ pub use crate::components::range;
 use crate::components::{Camera, Light, Name, names, viewer_mut};
 
 /// In MiB: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most.
-const LARGEST: u64 = 16;
+pub const LARGEST: u64 = 16;
 
 /// The built-in scenes, as name and text. The first is the default.
 pub const BUILT_IN: [(&str, &str); 4] = [

@@ -33,8 +33,8 @@ const LABEL_HEIGHT: usize = 24;
 const TITLE: FontId = FontId::proportional(28.0);
 const LABEL: FontId = FontId::proportional(19.0);
 
-/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour; and a sign between this
-/// cell and the next, which may be empty.
+/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour;
+/// and a sign between this cell and the next, which may be empty.
 pub type Cell<'a> = (Vec<u32>, [&'a str; 3]);
 
 /// A picture at half its size. A pixel is the mean of four; an odd last row or column is dropped.

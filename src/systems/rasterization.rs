@@ -128,8 +128,7 @@ fn cover(row: &mut [u64], span: Range<usize>) -> bool {
 }
 
 /// Writes a span of a piece into the depth buffer of a strip where it is nearest; `place` is its first pixel, relative to the
-/// middle of the picture. Where no id is set, the depth
-/// is that of an earlier strip, and counts as the farthest.
+/// middle of the picture. Where no id is set, the depth is that of an earlier strip, and counts as the farthest.
 #[inline(always)]
 fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
     let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);

@@ -101,8 +101,7 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
 /// The left, right and upper edge of a point's label, within these `columns`.
 ///
 /// On the front a label is below its point, to the left: a point there would beat this one. Other labels are above their
-/// points, to the right. A label that would cover one of the `taken` places moves
-/// further from its point.
+/// points, to the right. A label that would cover one of the `taken` places moves further from its point.
 fn label(
     one: &Measurement,
     (x, y): (i32, i32),

@@ -234,7 +234,7 @@ impl App {
 
 /// The differences between two records as JSON, in words: "light white on", "shading of several cuboids", "several changes".
 pub(super) fn difference(before: &Value, after: &Value) -> String {
-    let patch = json_patch::diff(&by_name(before), &by_name(after));
+    let patch = json_patch::diff(&by_name(before.clone()), &by_name(after.clone()));
     let mut paths = patch.iter().map(|change| {
         let keys = change.path().tokens().map(|key| key.decoded().into_owned());
         // Without the places of the numbers of a vector. The name of an entity may be a number.
@@ -266,12 +266,12 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
 }
 
 /// A record with its entities by name in place of lists.
-fn by_name(record: &Value) -> Value {
-    let mut record = record.clone();
+fn by_name(mut record: Value) -> Value {
     for kind in ["cuboid", "light", "camera"] {
-        let all = record[kind].as_array().into_iter().flatten();
-        let name = |it: &Value| it["name"].as_str().unwrap_or_default().to_owned();
-        record[kind] = all.map(|it| (name(it), it.clone())).collect();
+        if let Value::Array(all) = record[kind].take() {
+            let name = |it: &Value| it["name"].as_str().unwrap_or_default().to_owned();
+            record[kind] = all.into_iter().map(|it| (name(&it), it)).collect();
+        }
     }
     record["background"] = json!(record["background"].to_string());
     record

@@ -1,6 +1,5 @@
 //! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
-use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,10 +39,9 @@ impl SceneFile {
         // Options may have changed the World already, so the saved scene is read from the text.
         let saved = Scene::parse(&scene.name, &scene.text);
         let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
-        let stem = Path::new(&scene.name).file_stem().unwrap_or_default();
         SceneFile {
             path: scene.path.clone(),
-            stem: stem.to_string_lossy().replace(char::is_control, "_"),
+            stem: stem(Path::new(&scene.name)),
             text: scene.text.clone(),
             saved: Arc::new(saved),
             seen: scene.path.as_deref().and_then(stamp),
@@ -118,11 +116,16 @@ impl SceneFile {
     /// If it cannot be written.
     pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
-        let stem = self.path.as_deref().and_then(Path::file_stem);
-        let stem = stem.map_or(self.stem.as_str().into(), OsStr::to_string_lossy);
-        let stem = stem.replace(char::is_control, "_");
+        let own = self.path.as_deref().map(stem);
+        let stem = own.as_ref().unwrap_or(&self.stem);
         write_new(folder, &format!("{stem}-unsaved"), &text)
     }
+}
+
+/// The name of a file without its ending, for the names of others.
+fn stem(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    stem.replace(char::is_control, "_")
 }
 
 /// The scene of a file. Another thing of that name, such as a pipe, could keep the window waiting.

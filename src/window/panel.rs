@@ -17,7 +17,7 @@ use crate::components::{
     ordered,
 };
 use crate::drawing::camera_name;
-use crate::scene::{BUILT_IN, EXTREMES, Scene};
+use crate::scene::{self, BUILT_IN, EXTREMES, Scene};
 
 const TOLERANCE: [&str; 3] = [
     "tolerance",
@@ -25,9 +25,6 @@ const TOLERANCE: [&str; 3] = [
     "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
      A coarser tolerance is faster, and 0 is exact.",
 ];
-
-/// Files of at least this size, in bytes, are not listed: no scene is so large.
-const LARGE: u64 = 16 << 20;
 
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {
@@ -206,11 +203,11 @@ impl App {
         let mut paths: Vec<_> = names.map(|it| folder.join(it.file_name())).collect();
         paths.sort();
         let scene = |path: PathBuf| {
-            path.extension().filter(|it| *it == "toml")?;
-            let found = fs::metadata(&path).ok()?;
-            let is_small = found.is_file() && found.len() < LARGE;
-            let text = is_small.then(|| fs::read_to_string(&path))?;
-            let text = text.ok().filter(|text| text.contains("cuboid"))?;
+            let is_named = path.extension().is_some_and(|it| it == "toml");
+            let bytes = (is_named && path.is_file()).then(|| scene::read(&path, scene::LARGEST))?;
+            let bytes = bytes.ok()?;
+            let text = String::from_utf8(bytes).ok();
+            let text = text.filter(|text| text.contains("cuboid"))?;
             Some((path.to_str()?.to_owned(), text))
         };
         paths.into_iter().filter_map(scene).collect()

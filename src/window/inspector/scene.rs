@@ -164,9 +164,9 @@ fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
     let mut scroll = ScrollArea::vertical().id_salt("entities").max_height(most);
     // An entity that was selected elsewhere comes in sight.
     let id = ui.id().with("selected");
-    let place = entities.iter().position(|(place, _)| place == selected);
-    if ui.data(|data| data.get_temp(id)) != Some(place) {
-        let above = place.unwrap_or(0) as f32 * (height + ui.spacing().item_spacing.y);
+    if ui.data(|data| data.get_temp(id)) != Some(*selected) {
+        let above = entities.iter().take_while(|(place, _)| place != selected);
+        let above = above.count() as f32 * (height + ui.spacing().item_spacing.y);
         scroll = scroll.vertical_scroll_offset((above - most / 2.0).max(0.0));
     }
     scroll.show_rows(ui, height, entities.len(), |ui, rows| {
@@ -178,8 +178,7 @@ fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
             }
         }
     });
-    let place = entities.iter().position(|(place, _)| place == selected);
-    ui.data_mut(|data| data.insert_temp(id, place));
+    ui.data_mut(|data| data.insert_temp(id, *selected));
 }
 
 /// A row for the value of a key. A table has a row for each of its keys.
