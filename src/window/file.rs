@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
-use anyhow::bail;
+use anyhow::{bail, ensure};
 
 use crate::output::{Output, write_numbered};
 use crate::scene::{self, Scene, SceneRecord};
@@ -20,8 +20,8 @@ type Stamp = Option<(SystemTime, u64)>;
 /// A scene's file, or the text of a built-in scene.
 pub struct SceneFile {
     pub path: Option<PathBuf>,
-    /// The name of new files, without its ending.
-    stem: String,
+    /// The name of the next new file, without its ending.
+    pub new_name: String,
     text: String,
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
@@ -41,7 +41,7 @@ impl SceneFile {
         let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
         SceneFile {
             path: scene.path.clone(),
-            stem: stem(Path::new(&scene.name)),
+            new_name: stem(Path::new(&scene.name)),
             text: scene.text.clone(),
             saved: Arc::new(saved),
             seen: scene.path.as_deref().and_then(stamp),
@@ -100,7 +100,12 @@ impl SceneFile {
                 Output::File(path.clone()).write(&text)?;
                 path
             }
-            None => write_new(folder, &self.stem, &text)?,
+            None => {
+                let name = self.new_name.trim();
+                let name = name.strip_suffix(".toml").unwrap_or(name);
+                ensure!(!name.is_empty(), "a new file needs a name");
+                write_new(folder, name, &text)?
+            }
         };
         self.seen = stamp(&path);
         self.is_wrong = false;
@@ -116,8 +121,8 @@ impl SceneFile {
     /// If it cannot be written.
     pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
         let text = scene::updated(&self.text, record);
-        let own = self.path.as_deref().map(stem);
-        let stem = own.as_ref().unwrap_or(&self.stem);
+        let name = Path::new(&self.new_name);
+        let stem = stem(self.path.as_deref().unwrap_or(name));
         write_new(folder, &format!("{stem}-unsaved"), &text)
     }
 }

@@ -26,6 +26,9 @@ const TOLERANCE: [&str; 3] = [
      A coarser tolerance is faster, and 0 is exact.",
 ];
 
+const NEW_NAME: &str =
+    "The name of the next new file, without .toml. A number is added if the name is taken.";
+
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {
         self.chart(ui);
@@ -179,6 +182,11 @@ impl App {
             Some(Err(error)) => self.say(error.to_string()),
             None => {}
         }
+        ui.horizontal(|ui| {
+            let label = ui.label("new file").on_hover_text(NEW_NAME).id;
+            let field = ui.text_edit_singleline(&mut self.file.new_name);
+            field.on_hover_text(NEW_NAME).labelled_by(label);
+        });
         ui.horizontal_wrapped(|ui| {
             for action in [
                 Action::Tab(Tab::Scene),

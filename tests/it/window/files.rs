@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{By, Queryable};
 use shadetrade::components::Light;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::window::recording::Log;
@@ -88,13 +89,24 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
         window.files(),
         ["cuboid-2.toml", "cuboid-3.toml", "cuboid.toml"]
     );
-    let file = |name: &str| window.folder.path().join(name);
+    let folder = window.folder.path().to_path_buf();
+    let file = |name: &str| folder.join(name);
     assert_eq!(read(&file("cuboid.toml")).light[0].intensity, 3.0);
     assert_eq!(read(&file("cuboid-3.toml")), window.record());
     assert_eq!(fs::read(file("cuboid-2.toml")).expect("read"), b"mine");
     edit(&mut window, 5.0);
     let told = window.app.rescue().expect("written");
     assert!(told.is_some_and(|told| told.contains("cuboid-3-unsaved.toml")));
+    for (name, told) in [
+        ("", "needs a name"),
+        ("no/folder", "not saved"),
+        (" mine.toml", "saved"),
+    ] {
+        window.app.file.new_name = name.to_owned();
+        window.press_with(CONTROL_SHIFT, Key::S);
+        assert!(window.message().contains(told), "{name}");
+    }
+    assert_eq!(read(&file("mine.toml")), window.record());
 }
 
 #[test]
@@ -184,7 +196,8 @@ fn scenes_in_the_folder_of_the_last_file_are_listed_with_the_built_in_ones() {
     let scene = Scene::load(Some("assignment")).expect("built in");
     window.app.choose(scene);
     let mut harness = widgets(window.app, [1000, 1000]);
-    harness.get_by_value("assignment").click();
+    let list = By::new().role(Role::ComboBox).value("assignment");
+    harness.get(list).click();
     harness.run_ok();
     let listed = |label: &str| harness.query_by_label_contains(label).is_some();
     assert!(!listed("Cargo.toml") && !listed("scene.txt"));

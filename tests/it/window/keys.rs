@@ -143,7 +143,8 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     };
     let harness = widgets(editor().app, SIZE);
     let mut window = editor();
-    let field = harness.get_by_role(Role::TextInput).rect().center();
+    let fields = harness.get_all_by_role(Role::TextInput);
+    let field = fields.last().expect("in the inspector").rect().center();
     window.click(field);
     window.press_with(Modifiers::COMMAND, Key::A);
     let before = window.record();
