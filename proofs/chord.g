@@ -1,4 +1,4 @@
-# |r - o|, `Phong::levels` in shading/lights.rs: t = 2 n.l, then n t - l i - o, where i = 1 / |l|.
+# |r - o|, `Phong::levels` in shading/phong.rs: t = 2 n.l, then n t - l i - o, where i = 1 / |l|.
 # By hand, as norms: a vector whose components are rounded errs by u times its length. Relative to lengths of one:
 #   n, o    a unit vector errs by 4.51 u                                                (unit.g)
 #   i       errs by 3.51 u                                                              (unit.g)

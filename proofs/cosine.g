@@ -1,4 +1,4 @@
-# n.l without a highlight, `Phong::levels` in shading/lights.rs: N.L / sqrt(N.N L.L), of vectors that are given.
+# n.l without a highlight, `Phong::levels` in shading/phong.rs: N.L / sqrt(N.N L.L), of vectors that are given.
 # Relative to lengths of one, as in chord.g; 2573b-32 is 10.05 u.
 @rnd = float<24,-1000,ne>;
 a = rnd(a_); b = rnd(b_); c = rnd(c_); p = rnd(p_); q = rnd(q_); r = rnd(r_);

@@ -252,7 +252,7 @@ impl Frame {
             _ => work(&mut self.scratch[0]),
         }
         for scratch in &mut self.scratch {
-            self.counts += std::mem::take(&mut scratch.tiles.counts);
+            self.counts += std::mem::take(&mut scratch.counts);
         }
     }
 }

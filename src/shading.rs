@@ -14,7 +14,7 @@
 //!         evaluate the model at every pixel, in f32 where its rounding error keeps the tolerance, else in f64
 //!         evaluate a pixel again in f64 if f32 cannot decide the sign of n.l, or if |s| < 1/256 and 0 < rho < 1
 //! ```
-//! [`lights`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
+//! [`phong`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
 //! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
 //! cuts faces into squares.
 //!
@@ -36,7 +36,6 @@ pub mod gloss;
 pub mod gouraud;
 pub mod interpolation;
 pub mod lanes;
-pub mod lights;
 mod method;
 pub mod phong;
 pub mod pixels;
@@ -51,7 +50,7 @@ mod surface;
 pub mod unit_vectors;
 
 pub use self::method::{METHODS, Method};
-pub use self::shader::{Scratch, Shader, TileScratch};
+pub use self::shader::{Scratch, Shader};
 pub use self::surface::Surface;
 
 use std::ops::AddAssign;

@@ -59,6 +59,7 @@ use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::U;
 use super::field::{Field, positive};
+use super::gloss::Gloss;
 use super::lanes::dot;
 use super::specular;
 use crate::simd::{three, two};
@@ -171,76 +172,45 @@ pub fn reflection<S: Simd>(
     ]
 }
 
-/// The constants of the bound on a highlight, which depend on the shininess alone.
-#[derive(Clone, Copy, Debug)]
-pub struct Highlight {
-    /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.
-    factors: [f64; 3],
-    /// Largest s^(rho-2) sin and s^(rho-3) sin^3 at any angle; infinite where there is none.
-    peaks: [f64; 2],
-    /// Whether no exponent is negative.
-    bounded: bool,
-    /// Whether the terms with the second and the third factor have opposite signs.
-    opposed: bool,
-}
-
-impl Highlight {
-    /// For a shininess.
-    pub fn new(shininess: f64) -> Self {
-        // The largest s^k sin^j: at tan^2 = j / k.
-        let peak = |k: f64, j: f64| {
-            if k >= 0.0 {
-                (k / (k + j)).powf(k / 2.0) * (j / (k + j)).powf(j / 2.0)
-            } else {
-                f64::INFINITY
-            }
-        };
-        let rho = shininess;
-        let second = rho * (rho - 1.0);
-        Highlight {
-            factors: [rho, second.abs(), (second * (rho - 2.0)).abs()],
-            peaks: [peak(rho - 2.0, 1.0), peak(rho - 3.0, 3.0)],
-            bounded: rho >= 3.0,
-            opposed: rho >= 2.0,
-        }
-    }
-
-    /// A bound on the interpolation error of s^rho, for a range of s from [`reflection`]; `power` is that of the largest s.
-    #[inline(always)]
-    pub fn error<S: Simd>(
-        &self,
-        normal: &Field<S>,
-        light: &Field<S>,
-        eye: &Field<S>,
-        [most, least, sine]: [f64x4<S>; 3],
-        power: f64x4<S>,
-    ) -> f64x4<S> {
-        let simd = power.token();
-        let [first, second, third] = self.factors;
-        // s^(rho-k) <= most^rho / s^k, with the largest s for positive exponents and the least for all.
-        let base = if self.bounded { most } else { least };
-        let over = 1.0 / base;
-        let [one, other] = two!(|index| f64x4::splat(simd, self.peaks[index]));
-        let falls = power * over;
-        let falls_sine = (falls * over * sine).min(one);
-        let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
-        // cos(theta/2)^2 = (1 + s) / 2.
-        let chord = sine * (2.0 / (positive(least) + 1.0)).sqrt();
-        let [a, b, d] = [
-            falls * first,
-            falls_sine * (3.0 * second),
-            falls_sine3 * third,
-        ];
-        let cubes = if self.opposed { b.max(d) } else { b + d };
-        let errors = interpolation_error(two!(|axis| {
-            let o = direction(eye.rates[axis]);
-            let r = product(direction(light.rates[axis]), half_turn(normal.rates[axis]));
-            let [e1, e2, e3] = three!(|order| o[order] + r[order]);
-            a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
-        }));
-        let bounded = base.simd_gt(0.0);
-        bounded.select(errors, f64x4::splat(simd, f64::INFINITY))
-    }
+/// A bound on the interpolation error of s^rho, for a range of s from [`reflection`]; `power` is that of the largest s.
+#[inline(always)]
+pub fn highlight_error<S: Simd>(
+    gloss: &Gloss,
+    normal: &Field<S>,
+    light: &Field<S>,
+    eye: &Field<S>,
+    [most, least, sine]: [f64x4<S>; 3],
+    power: f64x4<S>,
+) -> f64x4<S> {
+    let simd = power.token();
+    let [first, second, third] = gloss.factors;
+    // s^(rho-k) <= most^rho / s^k, with the largest s for positive exponents and the least for all.
+    let base = if gloss.factors[0] >= 3.0 { most } else { least };
+    let over = 1.0 / base;
+    let [one, other] = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
+    let falls = power * over;
+    let falls_sine = (falls * over * sine).min(one);
+    let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
+    // cos(theta/2)^2 = (1 + s) / 2.
+    let chord = sine * (2.0 / (positive(least) + 1.0)).sqrt();
+    let [a, b, d] = [
+        falls * first,
+        falls_sine * (3.0 * second),
+        falls_sine3 * third,
+    ];
+    let cubes = if gloss.factors[0] >= 2.0 {
+        b.max(d)
+    } else {
+        b + d
+    };
+    let errors = interpolation_error(two!(|axis| {
+        let o = direction(eye.rates[axis]);
+        let r = product(direction(light.rates[axis]), half_turn(normal.rates[axis]));
+        let [e1, e2, e3] = three!(|order| o[order] + r[order]);
+        a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
+    }));
+    let bounded = base.simd_gt(0.0);
+    bounded.select(errors, f64x4::splat(simd, f64::INFINITY))
 }
 
 /// An upper bound of s^rho for s of at most 1.

@@ -4,7 +4,6 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4};
 
-use super::bound::Highlight;
 use super::limit;
 use super::surface::Surface;
 use crate::components::Material;
@@ -23,8 +22,10 @@ pub struct Gloss {
     pub material: Material,
     /// Above 0 where the material's is: 0^0 = 1, and the power of a negative s is 0.
     pub shininess: f32,
-    /// For the bound on interpolation errors.
-    pub bound: Highlight,
+    /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.
+    pub(super) factors: [f64; 3],
+    /// The largest s^(rho-2) sin and s^(rho-3) sin^3 at any angle; infinite where there is none.
+    pub(super) peaks: [f64; 2],
     /// A highlight whose s stays below this is too faint to be drawn.
     pub least: f64,
     /// The error of one highlight that is not drawn, in levels.
@@ -52,6 +53,15 @@ impl Gloss {
             // Another libm may differ in the last bit, and then a picture may: only one machine's are the same bits.
             (faint / brightest).powf(1.0 / shininess)
         };
+        // The largest s^k sin^j: at tan^2 = j / k.
+        let peak = |k: f64, j: f64| {
+            if k >= 0.0 {
+                (k / (k + j)).powf(k / 2.0) * (j / (k + j)).powf(j / 2.0)
+            } else {
+                f64::INFINITY
+            }
+        };
+        let second = (shininess * (shininess - 1.0)).abs();
         let is_steep = shininess > 0.0 && shininess < 1.0;
         Gloss {
             material: *surface.material,
@@ -60,7 +70,8 @@ impl Gloss {
             } else {
                 0.0
             },
-            bound: Highlight::new(shininess),
+            factors: [shininess, second, second * (shininess - 2.0).abs()],
+            peaks: [peak(shininess - 2.0, 1.0), peak(shininess - 3.0, 3.0)],
             least,
             faint,
             doubt: if is_steep { DOUBT as f32 } else { 0.0 },
@@ -97,7 +108,7 @@ fn steepest(shininess: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use fearless_simd::f32x16;
     use glam::DVec3;
 
@@ -108,7 +119,7 @@ mod tests {
     use crate::simd::token;
 
     /// A material under one light of 100 levels.
-    fn gloss(shininess: f64, tolerance: f64) -> Gloss {
+    pub fn gloss(shininess: f64, tolerance: f64) -> Gloss {
         lit(shininess, tolerance, 1)
     }
 

@@ -17,7 +17,7 @@ use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
-/// A face with levels at its vertices.
+/// A face with levels at its vertices, and the four squares of it that were prepared last.
 pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
@@ -25,40 +25,14 @@ pub struct Gouraud<'a> {
     /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the pixel.
     levels: [DVec3; 8],
     colors: [Affine; 2],
-}
-
-/// The colours of a face on four squares: affine numbers, over w at the middle.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct TileColors {
-    w: [[f32; 4]; 3],
-    /// Twice the weight of the first triangle's corner across the diagonal: below zero on the second triangle.
-    before: [[f32; 4]; 3],
-    /// By triangle and channel.
-    colors: [[[[f32; 4]; 3]; 3]; 2],
+    /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
+    w_by_square: [[f32; 4]; 3],
+    diagonal_by_square: [[f32; 4]; 3],
+    colors_by_square: [[[[f32; 4]; 3]; 3]; 2],
     /// The squares that meet each triangle.
     meets: [Squares; 2],
     /// Where levels in f32 keep the tolerance.
     pub in_f32: Squares,
-}
-
-impl TileColors {
-    /// w C / w at points of squares, x and y from -1 to 1.
-    #[inline(always)]
-    pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &[[f32; 4]; 3]| at.affine(of, xy));
-        let inverse = 1.0 / affine(&self.w);
-        let [first, second] = &self.colors;
-        if !at.any(self.meets[1]) {
-            return three!(|channel| affine(&first[channel]) * inverse);
-        }
-        if !at.any(self.meets[0]) {
-            return three!(|channel| affine(&second[channel]) * inverse);
-        }
-        let is_first = affine(&self.before).simd_ge(f32x16::splat(simd, 0.0));
-        three!(|channel| {
-            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
-        })
-    }
 }
 
 /// The rounding error of a colour in f32, relative to the largest on the square:
@@ -72,7 +46,7 @@ impl TileColors {
 ///   all that over the smallest w     x 2     1/2
 ///   display                            4     two at the size of a level; the byte may be that of the next float
 /// ```
-/// The triangles' w C differ by |`before`| times a constant, and `before` reaches its largest size on the square on either side of
+/// The triangles' w C differ by |[`Face::diagonal`]| times a constant, and it reaches its largest size on the square on either side of
 /// the diagonal, so where both are seen they differ by at most twice the largest there.
 const ROUNDING: f64 = 80.0 * U;
 
@@ -87,17 +61,21 @@ impl<'a> Gouraud<'a> {
                 let levels = face.interpolate(levels, triangle);
                 face.uvw.map(|it| levels.homogeneous(it.x, it.y, it.z))
             }),
+            w_by_square: Default::default(),
+            diagonal_by_square: Default::default(),
+            colors_by_square: Default::default(),
+            meets: [0; 2],
+            in_f32: 0,
         }
     }
 
     /// See [`super::Shader::prepare`].
     #[inline(always)]
     pub fn prepare<S: Simd>(
-        &self,
+        &mut self,
         simd: S,
         extents: &Extents<S>,
         interpolate: bool,
-        tile: &mut TileColors,
     ) -> (Option<Interpolant<S>>, Squares) {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let [middle, ..] = extents.affine(&self.face.w);
@@ -107,9 +85,9 @@ impl<'a> Gouraud<'a> {
             three!(|term| affine[term] * inverse)
         });
         let [_, e, g] = scaled(&self.face.w);
-        let before = scaled(&self.face.diagonal);
-        let change = before[1].abs() + before[2].abs();
-        let meets = [before[0].simd_gt(-change), before[0].simd_lt(change)];
+        let diagonal = scaled(&self.face.diagonal);
+        let change = diagonal[1].abs() + diagonal[2].abs();
+        let meets = [diagonal[0].simd_gt(-change), diagonal[0].simd_lt(change)];
         let colors = two!(|triangle| three!(|channel| {
             scaled(&self.colors[triangle].map(|color| color[channel]))
         }));
@@ -126,13 +104,12 @@ impl<'a> Gouraud<'a> {
         let steady = (middle * shortest).simd_gt(self.face.least_steady().max(0.0));
         let bounded = steady & shortest.simd_gt(0.5);
         let rounding = largest * ROUNDING;
-        *tile = TileColors {
-            w: single([splat(1.0), e, g]),
-            before: single(before),
-            colors: two!(|triangle| three!(|channel| single(colors[triangle][channel]))),
-            meets: [meets[0].to_bitmask(), meets[1].to_bitmask()],
-            in_f32: (bounded & rounding.simd_le(limit(self.tolerance))).to_bitmask(),
-        };
+        self.w_by_square = single([splat(1.0), e, g]);
+        self.diagonal_by_square = single(diagonal);
+        self.colors_by_square =
+            two!(|triangle| three!(|channel| single(colors[triangle][channel])));
+        self.meets = [meets[0].to_bitmask(), meets[1].to_bitmask()];
+        self.in_f32 = (bounded & rounding.simd_le(limit(self.tolerance))).to_bitmask();
         if !interpolate {
             return (None, 0);
         }
@@ -150,13 +127,31 @@ impl<'a> Gouraud<'a> {
         let terms = sampled(
             simd,
             inlined!(|xy| {
-                let [red, green, blue] = tile.levels(simd, LaneLayout::Nodes, xy);
+                let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
         let none = mask64x4::splat(simd, false);
         let interpolant = Interpolant::new(terms, [zero; 3], none, budget);
         (Some(interpolant), 0b1111)
+    }
+
+    /// w C / w at points of squares, x and y from -1 to 1.
+    #[inline(always)]
+    pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        let affine = inlined!(|of: &[[f32; 4]; 3]| at.affine(of, xy));
+        let inverse = 1.0 / affine(&self.w_by_square);
+        let [first, second] = &self.colors_by_square;
+        if !at.any(self.meets[1]) {
+            return three!(|channel| affine(&first[channel]) * inverse);
+        }
+        if !at.any(self.meets[0]) {
+            return three!(|channel| affine(&second[channel]) * inverse);
+        }
+        let is_first = affine(&self.diagonal_by_square).simd_ge(f32x16::splat(simd, 0.0));
+        three!(|channel| {
+            is_first.select(affine(&first[channel]), affine(&second[channel])) * inverse
+        })
     }
 
     /// See [`super::Shader::levels_f64`].

@@ -20,7 +20,7 @@ pub struct Pixels {
     /// Right and down from the square's middle, in pixels.
     offsets: [[f32; MOST]; 2],
     /// The indices in the buffers of the band.
-    indices: [u32; MOST],
+    pub indices: [u32; MOST],
     /// A red level that is not a number marks a pixel that f32 does not suffice for.
     levels: [[f32; MOST]; 3],
     /// Whether any pixel is marked.

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::*;
 use crate::shading::affine::Affine;
 use crate::shading::field::{Extents, MAX_RADIUS};
+use crate::shading::gloss::tests::gloss;
 use crate::shading::interpolation::NODE;
 use crate::simd::{Baseline, token};
 
@@ -178,8 +179,9 @@ fn a_highlight_strays_no_further_than_its_bound() {
                 assert!(!dark.test(0) || cosine < -rounding);
             }
         }
-        let highlight = Highlight::new(shininess);
-        let bound = one(highlight.error(&n, &l, &o, range, power(shininess as f32, range[0])));
+        let gloss = gloss(shininess, 0.5);
+        let most = power(shininess as f32, range[0]);
+        let bound = one(highlight_error(&gloss, &n, &l, &o, range, most));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
             ratios.push((error - 1e-14) / (bound + 1e-14));
@@ -246,7 +248,7 @@ fn the_largest_products_of_powers_of_sine_and_cosine_are_known() {
                 .fold(0.0, f64::max)
         };
         let known = [largest(shininess - 2.0, 1), largest(shininess - 3.0, 3)];
-        for (peak, known) in Highlight::new(shininess).peaks.into_iter().zip(known) {
+        for (peak, known) in gloss(shininess, 0.5).peaks.into_iter().zip(known) {
             assert!((peak / known - 1.0).abs() < 1e-6, "{peak} for {known}");
         }
     }
@@ -266,7 +268,14 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
     let range = [0.5, 0.5, 0.75_f64.sqrt()].map(number);
-    let found = Highlight::new(1.0).error(&resting, &moving, &resting, range, number(0.5));
+    let found = highlight_error(
+        &gloss(1.0, 0.5),
+        &resting,
+        &moving,
+        &resting,
+        range,
+        number(0.5),
+    );
     let expected = (0.3 * 0.02 / 3.0_f64.sqrt() + 0.003) / 24.0;
     assert!((one(found) / expected - 1.0).abs() < 1e-6);
 }

@@ -8,11 +8,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
 use crate::frame::{Band, NO_TRIANGLE, OUTLINE, face};
-use crate::shading::TileKind;
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
+use crate::shading::{Counts, TileKind};
 use crate::simd::three;
 
 /// The pixels of a band that a piece covers.
@@ -21,6 +21,10 @@ pub struct Canvas<'a, 'b> {
     pub spans: Spans<'a>,
     /// See [`crate::frame::face`].
     pub face: u32,
+    /// Those of a square that are evaluated one by one.
+    pub pixels: &'a mut Pixels,
+    /// The counts of the thread.
+    pub counts: &'a mut Counts,
 }
 
 impl Canvas<'_, '_> {
@@ -58,15 +62,13 @@ impl Canvas<'_, '_> {
         !self.band.pixels.is_empty() && seen == square.side * square.side
     }
 
-    /// Lists the pixels of a square at which the piece is visible. Returns the number of strips that these pixels lie in.
+    /// Lists the pixels of a square at which the piece is visible.
     #[inline(always)]
-    pub fn list<S: Simd>(&self, simd: S, square: &Square, pixels: &mut Pixels) -> u64 {
-        pixels.count = 0;
+    pub fn list<S: Simd>(&mut self, simd: S, square: &Square) {
+        self.pixels.count = 0;
         let [left, top] = square.first().map(|first| first as f32);
-        let (mut strips, mut last) = (0, None);
         for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             let y = top + (row - square.corner[1]) as i32 as f32;
-            let before = pixels.count;
             for first in span.clone().step_by(16) {
                 let x = left + (first - square.corner[0]) as i32 as f32;
                 let mut seen = self.seen_lanes(simd, first, row, first..span.end.min(first + 16));
@@ -75,26 +77,30 @@ impl Canvas<'_, '_> {
                     let start = seen.trailing_zeros();
                     let count = (seen >> start).trailing_ones();
                     let index = self.band.index(first, row) + start as usize;
-                    pixels.extend(simd, [x + start as i32 as f32, y], index, count as usize);
+                    let place = [x + start as i32 as f32, y];
+                    self.pixels.extend(simd, place, index, count as usize);
                     seen &= u32::MAX << (start + count);
                 }
             }
-            if pixels.count > before && last.replace(row / MAX_SIDE) != Some(row / MAX_SIDE) {
-                strips += 1;
-            }
         }
-        strips
     }
 
-    /// Draws listed pixels.
+    /// The number of strips in which there are listed pixels of a square of [`MIN_SIDE`](crate::shading::square::MIN_SIDE): one or two.
+    pub fn strips(&self) -> u64 {
+        let row = |index: u32| self.band.rows.start + index as usize / self.band.width;
+        let [first, last] = [0, self.pixels.count - 1].map(|it| row(self.pixels.indices[it]));
+        (last / MAX_SIDE - first / MAX_SIDE + 1) as u64
+    }
+
+    /// Draws the listed pixels.
     #[inline(always)]
-    pub fn draw_pixels<S: Simd>(&mut self, simd: S, pixels: &Pixels) {
+    pub fn draw_pixels<S: Simd>(&mut self, simd: S) {
         if self.band.pixels.is_empty() {
-            for (index, levels) in pixels.levels() {
+            for (index, levels) in self.pixels.levels() {
                 self.band.levels[index] = levels;
             }
         } else {
-            pixels.show(simd, self.band.pixels);
+            self.pixels.show(simd, self.band.pixels);
         }
     }
 

@@ -16,7 +16,7 @@ use crate::shading::lanes::has;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Scratch, Shader, Surface, TileKind, TileScratch};
+use crate::shading::{Scratch, Shader, Surface, TileKind};
 use crate::simd::{dispatch, four, outlined};
 
 /// The least number of pixels of four squares for which bounds are computed. Bounds cost as much as the evaluation of about 500
@@ -30,7 +30,8 @@ impl DrawList {
         let Scratch {
             lights,
             to_lights,
-            tiles: scratch,
+            pixels,
+            counts,
             ..
         } = scratch;
         let spans = self.spans(piece);
@@ -40,30 +41,28 @@ impl DrawList {
             band,
             spans,
             face: face(piece.id),
+            pixels,
+            counts,
         };
-        let strips = small.as_ref().map_or(
-            1,
-            |square| dispatch!(level, simd => canvas.list(simd, square, &mut scratch.pixels)),
-        );
-        if strips == 0 {
-            return;
+        if let Some(square) = &small {
+            dispatch!(level, simd => canvas.list(simd, square));
+            if canvas.pixels.count == 0 {
+                return;
+            }
         }
         let object = &self.objects[piece.object];
         let index = (canvas.face % 6) as usize;
         let face = Face::new(index, &object.transform, object.half, &self.rays);
-        let shader = &self.shader(object, &face, lights, to_lights);
+        let shader = &mut self.shader(object, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], self.rays.lens.half);
-                shader.prepare(simd, &extents, false, scratch);
-                shader.evaluate(simd, square, 0, scratch);
-                outlined!(simd, canvas.draw_pixels(simd, &scratch.pixels));
-                let pixels = scratch.pixels.count;
-                let kind = shader.count(0, pixels, scratch);
-                scratch.counts.add(kind, strips, pixels);
+                shader.prepare(simd, &extents, false);
+                let kind = canvas.draw_listed(simd, shader, 0, square);
+                canvas.counts.add(kind, canvas.strips(), canvas.pixels.count);
                 canvas.mark(square, kind, &face);
             }
-            None => canvas.draw_face(simd, shader, scratch),
+            None => canvas.draw_face(simd, shader),
         });
     }
 
@@ -95,7 +94,7 @@ impl DrawList {
 
 impl Canvas<'_, '_> {
     /// Draws all of the piece that is in the band.
-    fn draw_face<S: Simd>(&mut self, simd: S, shader: &Shader, scratch: &mut TileScratch) {
+    fn draw_face<S: Simd>(&mut self, simd: S, shader: &mut Shader) {
         let rows = self.band.held(self.spans.rows());
         for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
             let (extent, common) = self.spans.columns(row..row + MAX_SIDE);
@@ -110,28 +109,21 @@ impl Canvas<'_, '_> {
                         Square::new(&self.spans, corner, MAX_SIDE)
                     }
                 });
-                self.draw_squares(simd, shader, &squares, scratch);
+                self.draw_squares(simd, shader, &squares);
             }
         }
     }
 
     /// Draws four squares. Each is interpolated if that keeps the tolerance and may be cheaper. Otherwise it is cut into
     /// quarters, or drawn pixel by pixel if it is small or its quarters are unlikely to be cheaper.
-    fn draw_squares<S: Simd>(
-        &mut self,
-        simd: S,
-        shader: &Shader,
-        squares: &[Square; 4],
-        scratch: &mut TileScratch,
-    ) {
+    fn draw_squares<S: Simd>(&mut self, simd: S, shader: &mut Shader, squares: &[Square; 4]) {
         let seen = outlined!(simd, four!(|index| self.seen_pixels(&squares[index])));
         if seen == [0; 4] {
             return;
         }
         let extents = Extents::new(simd, squares, shader.face().rays.lens.half);
         let pixels: usize = squares.iter().map(|square| square.pixels).sum();
-        let (interpolant, promising) =
-            shader.prepare(simd, &extents, pixels >= WORTHWHILE, scratch);
+        let (interpolant, promising) = shader.prepare(simd, &extents, pixels >= WORTHWHILE);
         let mut cut = [false; 4];
         for (index, (square, seen)) in squares.iter().zip(seen).enumerate() {
             if seen == 0 {
@@ -149,42 +141,53 @@ impl Canvas<'_, '_> {
                     }
                 });
                 kind
-            } else if square.side > MIN_SIDE
-                && (has(promising, index) || !shader.in_f32(index, scratch))
-            {
+            } else if square.side > MIN_SIDE && (has(promising, index) || !shader.in_f32(index)) {
                 cut[index] = true;
                 continue;
             } else {
-                self.draw_exactly(simd, shader, (index, square, seen), scratch)
+                self.draw_exactly(simd, shader, index, square, seen)
             };
-            scratch.counts.add(kind, 1, seen);
+            self.counts.add(kind, 1, seen);
             self.mark(square, kind, shader.face());
         }
         // Last, because this overwrites what is prepared for the four squares.
         for (index, square) in squares.iter().enumerate() {
             if cut[index] {
-                self.draw_squares(simd, shader, &square.quarters(&self.spans), scratch);
+                self.draw_squares(simd, shader, &square.quarters(&self.spans));
             }
         }
     }
 
-    /// Draws one of the four prepared squares pixel by pixel, by rows or from a list.
+    /// Draws the square at `index` of those prepared last pixel by pixel, by rows or from a list.
     fn draw_exactly<S: Simd>(
         &mut self,
         simd: S,
         shader: &Shader,
-        (index, square, seen): (usize, &Square, usize),
-        scratch: &mut TileScratch,
+        index: usize,
+        square: &Square,
+        seen: usize,
     ) -> TileKind {
         if self.is_whole(square, seen)
-            && let Some(mut rows) = shader.rows(simd, square, index, scratch)
+            && let Some(mut rows) = shader.rows(simd, square, index)
         {
             outlined!(simd, self.draw_whole(square, &mut rows));
+            shader.count(index, seen, self.counts)
         } else {
-            outlined!(simd, self.list(simd, square, &mut scratch.pixels));
-            shader.evaluate(simd, square, index, scratch);
-            outlined!(simd, self.draw_pixels(simd, &scratch.pixels));
+            outlined!(simd, self.list(simd, square));
+            self.draw_listed(simd, shader, index, square)
         }
-        shader.count(index, seen, scratch)
+    }
+
+    /// Draws the listed pixels of the square at `index` of those prepared last.
+    fn draw_listed<S: Simd>(
+        &mut self,
+        simd: S,
+        shader: &Shader,
+        index: usize,
+        square: &Square,
+    ) -> TileKind {
+        shader.evaluate(simd, square, index, self.pixels);
+        outlined!(simd, self.draw_pixels(simd));
+        shader.count(index, self.pixels.count, self.counts)
     }
 }

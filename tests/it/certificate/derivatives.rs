@@ -10,13 +10,17 @@ use std::array::from_fn;
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
 use glam::DVec3;
+use shadetrade::components::Illumination;
+use shadetrade::shading::Surface;
 use shadetrade::shading::affine::Affine;
-use shadetrade::shading::bound::{self, Highlight, cosine_error, reflection, side};
+use shadetrade::shading::bound::{self, cosine_error, highlight_error, reflection, side};
 use shadetrade::shading::field::{Extents, Field, MAX_RADIUS};
+use shadetrade::shading::gloss::Gloss;
 use shadetrade::simd::{Baseline, baseline};
 
 use crate::support::cases::cases;
 use crate::support::random::Random;
+use crate::support::scene::white;
 
 /// The first four Taylor coefficients of a function of one variable.
 type Taylor = [f64; 4];
@@ -188,7 +192,9 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             power(&from_fn(|k| 2.0 * both[k] - across[k]), shininess)
         });
         let most = bound::power(shininess as f32, range[0]);
-        let bound = Highlight::new(shininess).error(&normal, &light, &eye, range, most);
+        let (material, dark) = (white(shininess), Illumination::default());
+        let gloss = Gloss::new(&Surface::new(&material, &dark, DVec3::ZERO), 0.5);
+        let bound = highlight_error(&gloss, &normal, &light, &eye, range, most);
         keep(&mut shares[index], highlight, bound.as_array()[0]);
     }
     println!("largest shares of the bounds: {lit:.3} for n.l, {shares:.3?} for s^rho");

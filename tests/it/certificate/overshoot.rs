@@ -9,8 +9,7 @@ use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Rays};
 use shadetrade::shading::field::Extents;
 use shadetrade::shading::gloss::Gloss;
-use shadetrade::shading::gouraud::{Gouraud, TileColors};
-use shadetrade::shading::lights::TileLights;
+use shadetrade::shading::gouraud::Gouraud;
 use shadetrade::shading::phong::Phong;
 use shadetrade::simd::baseline;
 
@@ -106,10 +105,9 @@ proptest! {
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
-        let gouraud = Gouraud::new(&face, &[DVec3::splat(100.0); 8], 0.5);
-        let mut colors = TileColors::default();
-        gouraud.prepare(simd, &extents, true, &mut colors);
-        let by_vertex = colors.in_f32 & 1 == 1;
+        let mut gouraud = Gouraud::new(&face, &[DVec3::splat(100.0); 8], 0.5);
+        gouraud.prepare(simd, &extents, true);
+        let by_vertex = gouraud.in_f32 & 1 == 1;
         prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);
 
         let (w, (place, _)) = (w(0.0, 0.0), face.uv_at(middle[0], middle[1]));
@@ -133,12 +131,11 @@ proptest! {
         let normals = face.interpolate(&[DVec3::Y; 8], 0);
         let gloss = Gloss::new(&surface, 0.5);
         let mut lights = Vec::new();
-        let phong = Phong::new(&face, normals, surface, &gloss, &mut lights, 0.5);
+        let mut phong = Phong::new(&face, normals, surface, &gloss, &mut lights, 0.5);
         let levels = phong.levels_f64(middle[0], middle[1]);
         prop_assert!(levels.abs_diff_eq(DVec3::splat(100.0), 1e-6), "{levels} at {place:?}");
-        let mut tile = TileLights::default();
-        phong.prepare(simd, &extents, true, &mut tile);
-        prop_assert!(tile.in_f32 & 1 == 0 || face.is_steady(least));
+        phong.prepare(simd, &extents, true);
+        prop_assert!(phong.in_f32 & 1 == 0 || face.is_steady(least));
     }
 }
 
