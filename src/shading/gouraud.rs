@@ -23,7 +23,7 @@ pub struct Gouraud<'a> {
     /// In levels.
     pub tolerance: f64,
     /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the pixel.
-    levels: [DVec3; 8],
+    levels: &'a [DVec3; 8],
     colors: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
     w_by_square: [[f32; 4]; 3],
@@ -52,11 +52,11 @@ const ROUNDING: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
-    pub fn new(face: &'a Face, levels: &[DVec3; 8], tolerance: f64) -> Self {
+    pub fn new(face: &'a Face, levels: &'a [DVec3; 8], tolerance: f64) -> Self {
         Gouraud {
             face,
             tolerance,
-            levels: *levels,
+            levels,
             colors: [0, 1].map(|triangle| {
                 let levels = face.interpolate(levels, triangle);
                 face.uvw.map(|it| levels.homogeneous(it.x, it.y, it.z))
@@ -157,7 +157,7 @@ impl<'a> Gouraud<'a> {
     /// See [`super::Shader::levels_f64`].
     pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         let (uv, _) = self.face.uv_at(x, y);
-        self.face.blend(&self.levels, uv)
+        self.face.blend(self.levels, uv)
     }
 }
 

@@ -105,7 +105,8 @@ proptest! {
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
-        let mut gouraud = Gouraud::new(&face, &[DVec3::splat(100.0); 8], 0.5);
+        let corners = [DVec3::splat(100.0); 8];
+        let mut gouraud = Gouraud::new(&face, &corners, 0.5);
         gouraud.prepare(simd, &extents, true);
         let by_vertex = gouraud.in_f32 & 1 == 1;
         prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);
