@@ -86,7 +86,7 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
-    while display.is_open() && !app.quits {
+    while display.window.is_open() && !app.quits {
         // A recording has milliseconds.
         let now = Duration::from_millis(start.elapsed().as_millis() as u64);
         let has_events = !display.input.events.is_empty();
@@ -117,7 +117,7 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
             let new = format!("{kind}{}", app.title());
             if title != new {
                 title = new;
-                display.set_title(&title);
+                display.window.set_title(&title);
             }
             if let Some(text) = output.copied
                 && let Err(error) = display.copy(text)

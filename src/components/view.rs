@@ -8,7 +8,7 @@ use super::surface::ShadingMode;
 use super::viewer::{active_camera, background, viewer};
 
 /// The settings of one frame.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Width and height of the picture in pixels, each at least 1.
     pub size: [usize; 2],

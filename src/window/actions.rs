@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
+use egui::util::undoer::Undoer;
 use egui::{Event, Key, Ui};
 use serde_json::{Value, json};
 
 use super::app::App;
+use super::history::State;
 use super::keys::{self, Action, EXACT_SIDES, TOLERANCES};
 use crate::components::{
     Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered, overwrite,
 };
 use crate::drawing::camera_name;
-use crate::scene::SceneRecord;
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
@@ -105,14 +106,8 @@ impl App {
                 let is_open = viewer.inspector == Some(tab);
                 viewer.inspector = (!is_open).then_some(tab);
             }
-            Action::Undo => {
-                let before = self.history.undo(&self.state);
-                self.travel(before, "undo");
-            }
-            Action::Redo => {
-                let after = self.history.redo(&self.state);
-                self.travel(after, "redo");
-            }
+            Action::Undo => self.travel("undo", Undoer::undo),
+            Action::Redo => self.travel("redo", Undoer::redo),
             Action::Save => self.save(false),
             Action::SaveAs => self.save(true),
             Action::Panel => self.fold_panel(),
@@ -194,17 +189,20 @@ impl App {
         self.probe([0, 1].map(|axis| before.map_or(size[axis] / 2, |it| moved(it, axis))));
     }
 
-    fn travel(&mut self, found: Option<SceneRecord>, verb: &str) {
-        match found {
-            Some(record) => {
-                let [before, after] = [&*self.state, &record].map(|record| json!(record));
-                let text = format!("{verb}: {}", difference(&before, &after));
-                self.restore(&record);
-                self.adopt(Arc::new(record));
-                self.say(text);
-            }
-            None => self.say(format!("nothing to {verb}")),
-        }
+    /// Goes to the state that `find` finds in the history, and says what that changes.
+    fn travel(
+        &mut self,
+        verb: &str,
+        find: for<'a> fn(&'a mut Undoer<State>, &State) -> Option<&'a State>,
+    ) {
+        let present = State(Arc::clone(&self.state));
+        let Some(found) = find(&mut self.history, &present) else {
+            return self.say(format!("nothing to {verb}"));
+        };
+        let found = found.seen_as(&present.0.view);
+        self.restore(&found);
+        let change = difference(&json!(*present.0), &json!(found));
+        self.say(format!("{verb}: {change}"));
     }
 
     /// Folds the panel, or opens it in the place of the inspector that hides it.

@@ -12,17 +12,17 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
+use egui::util::undoer::Undoer;
 use egui::{Event, OutputCommand, Rect, ViewportId};
 use hecs::{Ref, RefMut};
 use rayon::ThreadPool;
 
-use super::edits::{is_another_method, is_another_view};
-use super::facts::{Facts, Question, Work, pools};
+use super::facts::{Facts, Question, Work, pool};
 use super::file::{INTERVAL, SceneFile};
-use super::history::History;
+use super::history::{State, history};
 use super::pictures::Pictures;
 use super::recording::Recorder;
-use crate::components::{ViewMode, Viewer, viewer, viewer_mut};
+use crate::components::{View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
 use crate::scene::{Scene, SceneRecord};
@@ -47,7 +47,7 @@ pub struct App {
     pub facts: Facts,
     pub desk: Desk,
     pub pictures: Pictures,
-    pub history: History,
+    pub history: Undoer<State>,
     pub file: SceneFile,
     pub recorder: Option<Recorder>,
     /// The World as it was last written down.
@@ -67,10 +67,10 @@ pub struct App {
     pub pixels: Vec<u32>,
     /// Width and height of the window, in pixels.
     pub(super) size: [usize; 2],
-    /// The threads that probe, and those that answer all other questions.
-    pub(super) pools: Option<[ThreadPool; 2]>,
-    /// The probe, and the work on another question.
-    pub(super) works: [Option<Work>; 2],
+    /// The threads that answer questions.
+    pub(super) pool: Option<ThreadPool>,
+    /// The work on a question.
+    pub(super) work: Option<Work>,
     /// When the picture last changed, until it rests.
     pub(super) moved: Option<Duration>,
     next_degree: Duration,
@@ -78,8 +78,8 @@ pub struct App {
     /// The method that holds the budget: the machine's choice, and so no part of the scene.
     pub(super) held: Option<Method>,
     pub(super) hold: Hold,
-    /// The state, the size and the method in place of the state's, as they were drawn last.
-    pub(super) drawn: Option<(Arc<SceneRecord>, [usize; 2], Option<Method>)>,
+    /// The state and the view that were drawn last.
+    pub(super) drawn: Option<(Arc<SceneRecord>, View)>,
 }
 
 /// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
@@ -132,7 +132,7 @@ impl App {
             ..Desk::default()
         };
         Ok(App {
-            history: History::new(&state),
+            history: history(&state),
             file: SceneFile::of(&scene),
             recorder: None,
             scene,
@@ -149,8 +149,8 @@ impl App {
             painter,
             pixels: Vec::new(),
             size: drawing.size,
-            pools: has_threads.then(pools).transpose()?,
-            works: [None, None],
+            pool: has_threads.then(pool).transpose()?,
+            work: None,
             moved: None,
             next_degree: Duration::ZERO,
             next_progress: Duration::ZERO,
@@ -200,14 +200,14 @@ impl App {
         };
         let [begins, ends] = [true, false].map(is_gesture);
         let is_sought = self.desk.sought.is_some();
+        self.keep_state(begins);
         if begins {
-            self.history.end_step();
             // The press may change the picture, and frames that are being timed would delay it.
-            self.works[1].take_if(|work| work.question == Question::Measure);
+            self.work.take_if(|work| work.question == Question::Measure);
         }
         self.spin_on();
-        match self.file.look(now) {
-            Some(Ok(scene)) => self.reload(&scene),
+        match self.file.look(self.scene.path.as_deref(), now) {
+            Some(Ok(scene)) => self.reload(scene),
             Some(Err(error)) => self.desk.file_error = Some(error),
             None => {}
         }
@@ -216,10 +216,9 @@ impl App {
         let context = self.painter.context.clone();
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
-        if ends {
-            self.history.end_step();
-        }
+        self.keep_state(ends);
         self.record(size);
+        self.outdate();
         self.hold_time();
         self.draw()?;
         // A tab that was opened in the last step has its room by now.
@@ -240,7 +239,7 @@ impl App {
             is_due.then_some(Duration::ZERO),
             self.desk.blinks.map(|_| TURN / 10),
             turns.then(|| self.next_degree.saturating_sub(now)),
-            self.file.path.as_ref().map(|_| INTERVAL),
+            self.scene.path.as_ref().map(|_| INTERVAL),
         ];
         let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
@@ -264,35 +263,28 @@ impl App {
         self.viewer_mut().turns = turns;
     }
 
-    /// Notes the difference that keys and widgets made.
+    /// Notes the state that keys and widgets made. One that no scene may have is taken back.
     fn note_changes(&mut self) {
         let record = SceneRecord::of(&self.scene.world);
         if record == *self.state {
             return;
         }
-        if let Err(reason) = record.check() {
-            self.restore(&Arc::clone(&self.state));
-            return self.say(reason.to_string());
+        match record.check() {
+            Ok(()) => self.state = Arc::new(record),
+            Err(reason) => {
+                self.restore(&Arc::clone(&self.state));
+                self.say(reason.to_string());
+            }
         }
-        let after = Arc::new(record);
-        self.history.note(self.now, &self.state, &after);
-        self.adopt(after);
     }
 
-    /// Compares later states with this one, in which the World is already.
-    pub(super) fn adopt(&mut self, after: Arc<SceneRecord>) {
-        let shown = |it: &SceneRecord| (it.view.show, it.view.sides, it.view.divider);
-        let is_same_view = !is_another_view(&self.state, &after);
-        if !is_same_view || is_another_method(&self.state, &after) {
-            self.picture_changed(is_same_view);
-        } else if shown(&self.state) != shown(&after)
-            || self.state.view.pixel != after.view.pixel
-                && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
-        {
-            self.works[0] = None;
-            self.facts.section.is_current = false;
+    /// Tells the history the present state. A step of undo ends with it if a gesture begins or ends.
+    fn keep_state(&mut self, ends_step: bool) {
+        let state = State(Arc::clone(&self.state));
+        self.history.feed_state(self.now.as_secs_f64(), &state);
+        if ends_step {
+            self.history.add_undo(&state);
         }
-        self.state = after;
     }
 
     /// Writes the state into the recording, if there is one.
@@ -303,12 +295,6 @@ impl App {
             self.recorder = None;
             self.say(format!("the recording ends here: {error}"));
         }
-    }
-
-    /// Stops the work about the picture before. If the view is the same, only its method has changed.
-    pub(super) fn picture_changed(&mut self, is_same_view: bool) {
-        self.works = [None, None];
-        self.facts.outdate(is_same_view);
     }
 
     fn spin_on(&mut self) {

@@ -42,15 +42,15 @@ impl App {
         });
         if held != self.held {
             self.held = held;
-            self.picture_changed(true);
+            self.outdate_picture(true);
         }
     }
 
     /// The milliseconds of the last frame, where another one is to be drawn now.
     fn last_frame(&self) -> Option<f64> {
-        let (state, _, method) = self.drawn.as_ref()?;
-        let is_held = *method == self.held && !Arc::ptr_eq(state, &self.state);
-        self.pictures.time.filter(|_| is_held)
+        let (drawn, _) = self.drawn.as_ref()?;
+        let is_another = !Arc::ptr_eq(drawn, &self.state);
+        self.pictures.time.filter(|_| is_another)
     }
 
     /// Holds this time, in milliseconds, or the error again: that of the method on screen.

@@ -27,7 +27,7 @@ pub struct NoDisplay {
 
 /// An open window.
 pub struct Display {
-    window: minifb::Window,
+    pub window: minifb::Window,
     reports: Rc<RefCell<Vec<KeyReport>>>,
     /// Events that were not taken yet, in pixels of the window.
     pub input: Input,
@@ -91,16 +91,6 @@ impl Display {
     pub fn size(&self) -> [usize; 2] {
         let (width, height) = self.window.get_size();
         [width.max(1), height.max(1)]
-    }
-
-    /// Whether the frame's close button was not pressed.
-    pub fn is_open(&self) -> bool {
-        self.window.is_open()
-    }
-
-    /// Writes into the window's frame.
-    pub fn set_title(&mut self, title: &str) {
-        self.window.set_title(title);
     }
 
     /// Puts a text on the system's clipboard.

@@ -1,5 +1,5 @@
-//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them change
-//! the view.
+//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them every
+//! method shows.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use anyhow::Context;
 use super::app::App;
 use super::facts::Facts;
 use super::file::SceneFile;
-use super::history::History;
+use super::history::history;
 use crate::output::quoted;
 use crate::scene::{CameraRecord, Scene, SceneRecord};
 
@@ -45,7 +45,7 @@ impl App {
         if !self.is_edited() {
             return Ok(None);
         }
-        let path = self.file.rescue(&self.state, &self.folder);
+        let path = self.file.rescue(&self.scene, &self.folder);
         let path = path.context("the changes that were not saved cannot be written to a file")?;
         let told = format!("the changes that were not saved are in {}", path.display());
         Ok(Some(told))
@@ -58,7 +58,7 @@ impl App {
                 if let Some(told) = told {
                     self.say(told);
                 }
-                if let Some(path) = &self.file.path {
+                if let Some(path) = &self.scene.path {
                     self.desk.last_folder = path.parent().map(Path::to_path_buf);
                 }
                 self.open(scene);
@@ -72,15 +72,15 @@ impl App {
         self.file = SceneFile::of(&scene);
         self.scene = scene;
         self.state = Arc::new(SceneRecord::of(&self.scene.world));
-        self.history = History::new(&self.state);
+        self.history = history(&self.state);
         self.facts = Facts::default();
         self.desk.selected = None;
         self.desk.file_error = None;
-        self.picture_changed(false);
+        self.work = None;
     }
 
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
-    pub(super) fn reload(&mut self, scene: &Scene) {
+    pub(super) fn reload(&mut self, scene: Scene) {
         let mut record = SceneRecord::of(&scene.world);
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
         let find = |cameras: &[CameraRecord], name: &str| {
@@ -99,7 +99,8 @@ impl App {
                 camera.orbit = moved.unwrap_or(camera.orbit);
             }
         }
-        self.file = SceneFile::of(scene);
+        self.file = SceneFile::of(&scene);
+        self.scene.text = scene.text;
         self.restore(&record);
         self.desk.file_error = None;
         self.say(if had_edits {
@@ -111,10 +112,8 @@ impl App {
 
     /// Saves the scene, to a new file if `new`, and says where, or why not.
     pub fn save(&mut self, new: bool) {
-        let record = Arc::new(SceneRecord::of(&self.scene.world));
-        match self.file.save(&record, &self.folder, new) {
-            Ok(path) => {
-                self.scene.name = path.to_string_lossy().into_owned();
+        match self.file.save(&mut self.scene, &self.folder, new) {
+            Ok(()) => {
                 self.say(format!("saved {}", quoted(&self.scene.name)));
                 self.desk.file_error = None;
             }
@@ -123,22 +122,12 @@ impl App {
     }
 }
 
-/// Whether two states show the scene otherwise, whatever the method.
-pub fn is_another_view(before: &SceneRecord, after: &SceneRecord) -> bool {
-    let (one, other) = (&before.view, &after.view);
-    one.camera != other.camera
-        || (one.projection, one.turned) != (other.projection, other.turned)
-        || before.background != after.background
-        || before.light != after.light
-        || before.camera != after.camera
+/// Whether two states have other lights, or other cuboids whatever their mode.
+pub fn is_another_scene(before: &SceneRecord, after: &SceneRecord) -> bool {
+    before.light != after.light
         || differ(&before.cuboid, &after.cuboid, |it, other| {
             it.shading = other.shading;
         })
-}
-
-/// Whether two states of one view are drawn by different methods.
-pub fn is_another_method(before: &SceneRecord, after: &SceneRecord) -> bool {
-    before.view.tolerance != after.view.tolerance || before.cuboid != after.cuboid
 }
 
 /// Whether two lists of entities differ after `forget` has overwritten fields of the first.

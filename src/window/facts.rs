@@ -69,16 +69,14 @@ pub enum Question {
     Require,
 }
 
-/// The threads that probe, and those that answer all other questions; one core is left for the window.
+/// The threads that answer questions; one core is left for the window.
 ///
 /// # Errors
 /// If the system gives no threads.
-pub fn pools() -> anyhow::Result<[ThreadPool; 2]> {
-    let pool = |threads: usize| {
-        let pool = ThreadPoolBuilder::new().num_threads(threads.max(1)).build();
-        pool.context("cannot start the threads that compare and prove")
-    };
-    Ok([pool(1)?, pool(all_cores() - 1)?])
+pub fn pool() -> anyhow::Result<ThreadPool> {
+    let threads = (all_cores() - 1).max(1);
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.context("cannot start the threads that compare and prove")
 }
 
 /// Stores a fact; returns the reason if there is none.
@@ -139,9 +137,9 @@ impl Work {
         }
     }
 
-    /// The present step with its done share in words, and that share, 0..=1.
-    pub fn progress(&self) -> (String, f64) {
+    /// The present step with its done share in words, and that share, 0..=1; `None` before the first step.
+    pub fn progress(&self) -> Option<(String, f64)> {
         let (step, share) = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
-        (format!("{step}, {:.0} %", share * 100.0), share)
+        (!step.is_empty()).then(|| (format!("{step}, {:.0} %", share * 100.0), share))
     }
 }

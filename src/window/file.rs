@@ -17,12 +17,10 @@ pub const INTERVAL: Duration = Duration::from_millis(200);
 /// The file's time and length; `None` while there is none.
 type Stamp = Option<(SystemTime, u64)>;
 
-/// A scene's file, or the text of a built-in scene.
+/// The state of the scene's file, as it was seen last; or of the text of a built-in scene.
 pub struct SceneFile {
-    pub path: Option<PathBuf>,
     /// The name of the next new file, without its ending.
     pub new_name: String,
-    text: String,
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
     seen: Stamp,
@@ -40,9 +38,7 @@ impl SceneFile {
         let saved = Scene::parse(&scene.name, &scene.text);
         let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
         SceneFile {
-            path: scene.path.clone(),
             new_name: stem(Path::new(&scene.name)),
-            text: scene.text.clone(),
             saved: Arc::new(saved),
             seen: scene.path.as_deref().and_then(stamp),
             is_wrong: false,
@@ -53,12 +49,9 @@ impl SceneFile {
 
     /// The scene or the error of a file that another program changed since the last look. A file that is gone or wrong is
     /// looked at twice: an editor may be writing it.
-    pub fn look(&mut self, now: Duration) -> Option<Result<Scene, String>> {
-        if now < self.next {
-            return None;
-        }
+    pub fn look(&mut self, path: Option<&Path>, now: Duration) -> Option<Result<Scene, String>> {
+        let path = path.filter(|_| now >= self.next)?;
         self.next = now + INTERVAL;
-        let path = self.path.as_deref()?;
         let present = stamp(path);
         if present == self.seen {
             self.doubted = None;
@@ -66,8 +59,10 @@ impl SceneFile {
         }
         let is_certain = self.doubted.replace(present) == Some(present);
         let news = match present {
-            Some(_) => load(path),
             None => Err(format!("{} was deleted; the scene stays", path.display())),
+            // A pipe of that name could keep the window waiting.
+            Some(_) if !path.is_file() => Err(format!("{} is not a file", path.display())),
+            Some(_) => Scene::load_path(path).map_err(|error| error.to_string()),
         };
         (is_certain || news.is_ok()).then(|| {
             self.seen = present;
@@ -76,18 +71,14 @@ impl SceneFile {
         })
     }
 
-    /// Saves the scene to its file, or to a new one in `folder`; returns the file.
+    /// Saves the state of the scene to its file, or to a new one in `folder`, which is its file then.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn save(
-        &mut self,
-        record: &Arc<SceneRecord>,
-        folder: &Path,
-        new: bool,
-    ) -> anyhow::Result<PathBuf> {
-        let text = scene::updated(&self.text, record);
-        let path = match self.path.clone().filter(|_| !new) {
+    pub fn save(&mut self, scene: &mut Scene, folder: &Path, new: bool) -> anyhow::Result<()> {
+        let record = SceneRecord::of(&scene.world);
+        let text = scene::updated(&scene.text, &record);
+        let path = match scene.path.clone().filter(|_| !new) {
             Some(_) if self.is_wrong => {
                 bail!(
                     "the file has an error, and saving would lose its text; Ctrl Shift S saves to a new one"
@@ -109,20 +100,20 @@ impl SceneFile {
         };
         self.seen = stamp(&path);
         self.is_wrong = false;
-        self.path = Some(path.clone());
-        self.text = text;
-        self.saved = Arc::clone(record);
-        Ok(path)
+        self.saved = Arc::new(record);
+        scene.name = path.to_string_lossy().into_owned();
+        (scene.path, scene.text) = (Some(path), text);
+        Ok(())
     }
 
     /// Writes edits that were never saved into a file beside the scene's.
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn rescue(&self, record: &SceneRecord, folder: &Path) -> io::Result<PathBuf> {
-        let text = scene::updated(&self.text, record);
+    pub fn rescue(&self, scene: &Scene, folder: &Path) -> io::Result<PathBuf> {
+        let text = scene::updated(&scene.text, &SceneRecord::of(&scene.world));
         let name = Path::new(&self.new_name);
-        let stem = stem(self.path.as_deref().unwrap_or(name));
+        let stem = stem(scene.path.as_deref().unwrap_or(name));
         write_new(folder, &format!("{stem}-unsaved"), &text)
     }
 }
@@ -131,17 +122,6 @@ impl SceneFile {
 fn stem(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     stem.replace(char::is_control, "_")
-}
-
-/// The scene of a file. Another thing of that name, such as a pipe, could keep the window waiting.
-///
-/// # Errors
-/// The error of the file or in the scene, in words.
-fn load(path: &Path) -> Result<Scene, String> {
-    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return Err(format!("{} is not a file", path.display()));
-    }
-    Scene::load_path(path).map_err(|error| error.to_string())
 }
 
 /// Writes `NAME.toml`, or `NAME-2.toml` and so on where that exists.

@@ -1,7 +1,8 @@
 //! Undo and redo. The changes of one gesture are one step: a key that is pressed or held, a drag, a turn of the wheel.
 
 use std::sync::Arc;
-use std::time::Duration;
+
+use egui::util::undoer::{Settings, Undoer};
 
 use crate::components::Viewer;
 use crate::scene::SceneRecord;
@@ -11,77 +12,40 @@ const MEMORY: usize = 64 << 20;
 const ENTITY: usize = 512;
 /// The most steps that are kept.
 const STEPS: usize = 500;
-/// A change after this time without one begins a step.
-const PAUSE: Duration = Duration::from_secs(1);
 
-/// The states that can be gone back to.
-pub struct History {
-    before: Vec<Arc<SceneRecord>>,
-    after: Vec<Arc<SceneRecord>>,
-    most: usize,
-    /// The next change begins a step.
-    begins: bool,
-    last: Duration,
-}
+/// A state that can be gone back to. States that differ in rotation, pixel or tab only are equal: undo leaves these as they
+/// are.
+#[derive(Clone)]
+pub struct State(pub Arc<SceneRecord>);
 
-impl History {
-    /// Has no steps; there will be about as many entities as in this state.
-    pub fn new(record: &SceneRecord) -> Self {
-        let entities = record.cuboid.len() + record.light.len() + record.camera.len();
-        History {
-            before: Vec::new(),
-            after: Vec::new(),
-            most: (MEMORY / (ENTITY * entities)).clamp(8, STEPS),
-            begins: true,
-            last: Duration::ZERO,
+impl State {
+    /// The state with the rotation, pixel and tab of another one.
+    pub fn seen_as(&self, present: &Viewer) -> SceneRecord {
+        SceneRecord {
+            view: Viewer {
+                turned: present.turned,
+                pixel: present.pixel,
+                inspector: present.inspector,
+                ..self.0.view.clone()
+            },
+            ..SceneRecord::clone(&self.0)
         }
-    }
-
-    /// A gesture begins or ends.
-    pub fn end_step(&mut self) {
-        self.begins = true;
-    }
-
-    /// Notes a change from `before` to `after`.
-    pub fn note(&mut self, now: Duration, before: &Arc<SceneRecord>, after: &Arc<SceneRecord>) {
-        if seen_as(before, after) == **after {
-            return;
-        }
-        if self.begins || now > self.last + PAUSE {
-            self.before.push(Arc::clone(before));
-            if self.before.len() > self.most {
-                self.before.remove(0);
-            }
-        }
-        self.after.clear();
-        (self.begins, self.last) = (false, now);
-    }
-
-    /// The state before the last step.
-    pub fn undo(&mut self, present: &Arc<SceneRecord>) -> Option<SceneRecord> {
-        let before = self.before.pop()?;
-        self.after.push(Arc::clone(present));
-        Some(seen_as(&before, present))
-    }
-
-    /// The state after the step that was last taken back.
-    pub fn redo(&mut self, present: &Arc<SceneRecord>) -> Option<SceneRecord> {
-        let after = self.after.pop()?;
-        self.before.push(Arc::clone(present));
-        Some(seen_as(&after, present))
     }
 }
 
-/// A state with the rotation, pixel and tab of another one, which undo leaves as they are.
-fn seen_as(record: &SceneRecord, present: &SceneRecord) -> SceneRecord {
-    let place = &present.view;
-    SceneRecord {
-        view: Viewer {
-            turned: place.turned,
-            pixel: place.pixel,
-            inspector: place.inspector,
-            ..record.view.clone()
-        },
-        ..record.clone()
+impl PartialEq for State {
+    fn eq(&self, other: &State) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.seen_as(&other.0.view) == *other.0
     }
+}
+
+/// The states to go back to. There will be about as many entities as in `record`.
+pub fn history(record: &SceneRecord) -> Undoer<State> {
+    let entities = record.cuboid.len() + record.light.len() + record.camera.len();
+    Undoer::with_settings(Settings {
+        max_undos: (MEMORY / (ENTITY * entities)).clamp(8, STEPS),
+        // A gesture is one step, however long it takes. After a second without a change the next one begins a step.
+        auto_save_interval: f32::INFINITY,
+        ..Settings::default()
+    })
 }

@@ -126,7 +126,7 @@ impl App {
             let exact = mode.map_or("its exact mode".to_owned(), method_name);
             let text = format!("{share} proven within {} of {exact}", it.limit);
             fact(text, ink, true, PROVEN);
-        } else if self.pools.is_some() {
+        } else if self.pool.is_some() {
             fact("not proven yet".to_owned(), STALE, false, PROVEN);
         }
         is_clicked

@@ -174,7 +174,7 @@ impl App {
                 }
             }
         });
-        if self.file.path.is_none() && self.scene.text.starts_with("# ") {
+        if self.scene.path.is_none() && self.scene.text.starts_with("# ") {
             ui.weak(heading(&self.scene.text));
         }
         match chosen {
@@ -203,7 +203,7 @@ impl App {
 
     /// The names and texts of the scenes in the folder of the open file, or of the last one.
     fn scene_files(&self) -> Vec<(String, String)> {
-        let own = self.file.path.as_deref().and_then(Path::parent);
+        let own = self.scene.path.as_deref().and_then(Path::parent);
         let folder = own.or(self.desk.last_folder.as_deref());
         let folder = folder.unwrap_or(&self.folder);
         let entries = fs::read_dir(Path::new(".").join(folder));

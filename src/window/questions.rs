@@ -1,7 +1,6 @@
 //! The questions about the picture that the window asks, and the facts that it shows.
 //!
-//! One question is answered at a time, and a pixel is probed at the same time, on its own thread. A question of more worth
-//! cancels another.
+//! One question is answered at a time. A question of more worth cancels another.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -33,7 +32,7 @@ impl App {
         let viewer = Viewer::clone(&self.viewer());
         let tab = viewer.inspector;
         let level = self.pictures.frame.workers().level();
-        let is_live = self.pools.is_some();
+        let is_live = self.pool.is_some();
         let shows_exact = self.desk.blinks.is_some()
             || viewer.show == ViewMode::Error
             || sides(&viewer).contains(&Side::Reference);
@@ -116,37 +115,33 @@ impl App {
     ) {
         let is_probe = question == Question::Probe;
         let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
-        let index = usize::from(!is_probe);
-        let work = self.works[index].as_ref();
+        let work = self.work.as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
-        let rests = is_probe || self.pools.is_none() || self.moved.is_none();
+        let rests = is_probe || self.pool.is_none() || self.moved.is_none();
         if !is_open || !is_next || !rests {
             return;
         }
         let (name, record) = (self.scene.name.clone(), Arc::clone(&self.state));
         let view = self.view();
         let find = move |monitor: Monitor| find(&mut Scene::spawn(name, &record), &view, monitor);
-        let pool = self.pools.as_ref().map(|pools| &pools[index]);
         // The work before is cancelled first.
-        self.works[index] = None;
-        self.works[index] = Some(Work::begin(pool, question, place, find));
-        if self.pools.is_none() {
+        self.work = None;
+        let work = Work::begin(self.pool.as_ref(), question, place, find);
+        self.work = Some(work);
+        if self.pool.is_none() {
             self.receive(self.now);
         }
     }
 
     /// Takes the answers that were found. Returns whether the window has to be drawn again, also for progress.
     pub fn receive(&mut self, now: Duration) -> bool {
-        let mut is_new = self.works[1].is_some() && now >= self.next_progress;
-        for index in 0..2 {
-            if let Some(work) = &self.works[index]
-                && let Ok(answer) = work.answer.try_recv()
-            {
-                is_new = true;
-                self.works[index] = None;
-                if let Some(reason) = answer(&mut self.facts) {
-                    self.say(reason);
-                }
+        let mut is_new = self.work.is_some() && now >= self.next_progress;
+        let work = self.work.as_ref();
+        if let Some(Ok(answer)) = work.map(|work| work.answer.try_recv()) {
+            is_new = true;
+            self.work = None;
+            if let Some(reason) = answer(&mut self.facts) {
+                self.say(reason);
             }
         }
         // A pixel in the row of the one before needs no new answer.
@@ -164,7 +159,7 @@ impl App {
 
     /// The progress of the work in the background, in words and as a share, 0..=1.
     pub fn progress(&self) -> Option<(String, f64)> {
-        self.works[1].as_ref().map(Work::progress)
+        self.work.as_ref().and_then(Work::progress)
     }
 
     /// The answer about the probed pixel, possibly of an earlier picture.

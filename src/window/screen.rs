@@ -4,10 +4,13 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::app::{App, REST, TURN};
+use super::edits::is_another_scene;
+use super::facts::Question;
 use super::pictures::{divider_column, or_dimmed};
 use crate::components::{Side, View, ViewMode, Viewer};
 use crate::memory::OutOfMemory;
 use crate::output::{encode_png, write_numbered};
+use crate::scene::SceneRecord;
 
 impl App {
     /// Width and height of the picture in pixels.
@@ -23,24 +26,48 @@ impl App {
         held.unwrap_or(view)
     }
 
-    /// Draws the pictures if the state or their size is another one.
+    /// Outdates the facts about the picture on screen if another one is to be drawn.
+    pub(super) fn outdate(&mut self) {
+        let Some((before, view_before)) = self.drawn.clone() else {
+            return;
+        };
+        let (after, view) = (Arc::clone(&self.state), self.view());
+        let shown = |it: &SceneRecord| (it.view.show, it.view.sides, it.view.divider);
+        let by_any_method = |view: View| view.unshaded().with_tolerance(0.0);
+        let is_same_view =
+            by_any_method(view) == by_any_method(view_before) && !is_another_scene(&before, &after);
+        if !is_same_view || view != view_before || before.cuboid != after.cuboid {
+            self.outdate_picture(is_same_view);
+        } else if shown(&before) != shown(&after)
+            || before.view.pixel != after.view.pixel
+                && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
+        {
+            self.work.take_if(|work| work.question == Question::Probe);
+            self.facts.section.is_current = false;
+        }
+        if view.size != view_before.size {
+            self.keep_pixel(view_before.size, view.size);
+        }
+    }
+
+    /// Outdates all facts, and stops the work on them. If the view is the same, only its method has changed.
+    pub(super) fn outdate_picture(&mut self, is_same_view: bool) {
+        self.work = None;
+        self.facts.outdate(is_same_view);
+    }
+
+    /// Draws the pictures if the state or the view is another one.
     pub(super) fn draw(&mut self) -> Result<(), OutOfMemory> {
         let view = self.view();
-        let size = view.size;
-        let present = (Arc::clone(&self.state), size, self.held);
-        let before = self.drawn.take();
-        if before.as_ref() == Some(&present) {
+        let present = (Arc::clone(&self.state), view);
+        if self.drawn.as_ref() == Some(&present) {
             self.moved.take_if(|moved| self.now >= *moved + REST);
         } else {
             let viewer = Viewer::clone(&self.viewer());
             self.pictures.draw(&mut self.scene.world, &viewer, &view)?;
             self.moved = Some(self.now);
-            if let Some((_, before, _)) = before.filter(|(_, before, _)| *before != size) {
-                self.keep_pixel(before, size);
-                self.picture_changed(false);
-            }
+            self.drawn = Some(present);
         }
-        self.drawn = Some(present);
         Ok(())
     }
 

@@ -24,7 +24,7 @@ use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::{App, Desk, StepOutput};
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::file::SceneFile;
-use shadetrade::window::history::History;
+use shadetrade::window::history::history;
 use tempfile::TempDir;
 
 use super::support::scene::draw;
@@ -84,7 +84,7 @@ impl Window {
         self.folder = tempfile::tempdir().expect("a temporary folder");
         self.app.folder = self.folder.path().to_path_buf();
         self.app.file = SceneFile::of(&scene);
-        self.app.history = History::new(&SceneRecord::of(&scene.world));
+        self.app.history = history(&SceneRecord::of(&scene.world));
         self.app.scene = scene;
         self.app.desk = Desk::default();
         self.app.quits = false;

@@ -205,19 +205,20 @@ impl Program {
         self.display.server.wait().expect("it has ended");
     }
 
-    /// The exit status of the program.
-    pub fn status(&mut self) -> ExitStatus {
-        self.child.wait().expect("it has ended")
+    /// Waits for the program to end, and returns its exit status.
+    pub fn ended(&mut self) -> ExitStatus {
+        let mut status = None;
+        until("the program ends", || {
+            status = self.child.try_wait().expect("its state is known");
+            status.is_some()
+        });
+        status.expect("it was waited for")
     }
 
-    pub fn is_running(&mut self) -> bool {
-        self.child.try_wait().expect("its state is known").is_none()
-    }
-
-    /// Waits for the program to end, which must be a success.
-    pub fn end(mut self) {
-        until("the program ends", || !self.is_running());
-        let status = self.child.wait().expect("it has ended");
+    /// Quits by the key, which must be a success.
+    pub fn quit(mut self) {
+        self.press("q");
+        let status = self.ended();
         assert!(status.success(), "{status}");
     }
 }

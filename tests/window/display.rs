@@ -72,8 +72,7 @@ fn keys_change_the_picture_and_restore_it() {
         let before = seen();
         until("the cuboid turns", || seen() != before);
     }
-    program.press("q");
-    program.end();
+    program.quit();
 }
 
 #[test]
@@ -109,8 +108,7 @@ fn clicks_drags_and_the_wheel_have_their_effects() {
     until("the camera is where it was", || seen() == start);
     program.click(CUBOID);
     until("a probe", || seen() != start);
-    program.press("q");
-    program.end();
+    program.quit();
 }
 
 /// The column of the divider in the window.
@@ -156,8 +154,7 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         program.click([copy.x as i32, copy.y as i32]);
         until("a star", || program.title().contains('*'));
         program.press(way);
-        until("the program ends", || !program.is_running());
-        assert!(program.status().success(), "{way}");
+        assert!(program.ended().success(), "{way}");
         assert!(folder.join("cuboid-unsaved.toml").exists(), "{way}");
     }
 }
@@ -168,8 +165,7 @@ fn an_input_method_that_does_not_run_is_harmless() {
     let program = Program::open(&["assignment"], &[("XMODIFIERS", "@im=ibus")]);
     let title = "the arguments are handed on";
     until(title, || program.title().contains("assignment"));
-    program.press("q");
-    program.end();
+    program.quit();
 }
 
 #[test]

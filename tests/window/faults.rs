@@ -61,8 +61,7 @@ fn however_the_program_ends_its_files_are_complete() {
             fs::read_dir(&folder).expect("listed").count() > 1
         });
         end(&mut program);
-        until("the program ends", || !program.is_running());
-        assert_eq!(program.status().code(), code, "{name}");
+        assert_eq!(program.ended().code(), code, "{name}");
         assert!(whole_screenshots(&folder) > 0, "{name}");
     }
 }
@@ -90,14 +89,13 @@ fn a_key_held_when_the_focus_leaves_is_released() {
     assert!(is_at_rest(), "it moves with the key up");
     program.press("Right");
     until("keys come again", || !is_at_rest());
-    program.press("q");
-    program.end();
+    program.quit();
 }
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_storm_of_keys_and_sizes_leaves_a_responding_window() {
-    let mut program = Program::open(&[], &[]);
+    let program = Program::open(&[], &[]);
     let start = program.picture();
     // Every key is pressed an even number of times or undone by Home. I is not used: it folds different parts of a narrow
     // and of a wide window.
@@ -117,7 +115,5 @@ fn a_storm_of_keys_and_sizes_leaves_a_responding_window() {
     until("the picture is as it was", || {
         picture(&program.picture()) == picture(&start)
     });
-    assert!(program.is_running());
-    program.press("q");
-    program.end();
+    program.quit();
 }

@@ -4,12 +4,10 @@ use std::sync::mpsc;
 
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
-use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Tab, View, common_mode};
+use shadetrade::components::{ShadingMode, Tab, common_mode};
 use shadetrade::report::Monitor;
-use shadetrade::scene::Scene;
-use shadetrade::window::comparison::Comparison;
-use shadetrade::window::facts::{Question, Work, pools};
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::window::facts::{Question, Work, pool};
 
 use super::{PAUSE, Window};
 use crate::support::records;
@@ -17,28 +15,6 @@ use crate::support::window::{default_scene, widgets};
 
 /// A size so small that everything is computed at once.
 const SMALL: [usize; 2] = [130, 100];
-
-/// A new comparison of the present picture.
-fn compared(window: &Window) -> Comparison {
-    let mut world = window.app.state.spawn();
-    let view = View::of(&world, window.app.picture_size());
-    Comparison::of(&mut world, &view, Level::new(), Monitor::NONE).expect("a small picture fits")
-}
-
-#[test]
-fn picture_and_numbers_belong_to_the_scene_that_is_shown() {
-    use Key::{ArrowLeft, C, CloseBracket, G, O, P, W};
-    let mut window = Window::of(default_scene(), SMALL);
-    window.press(Key::F5);
-    for key in [P, W, O, CloseBracket, ArrowLeft, C, G] {
-        window.press(key);
-        let fresh = compared(&window);
-        assert_eq!(window.comparison().error, fresh.error, "{key:?}");
-        assert!(window.comparison().exact == fresh.exact, "{key:?}");
-        let frame = window.drawn(|view| view);
-        assert!(window.app.pictures.frame.pixels() == frame, "{key:?}");
-    }
-}
 
 #[test]
 fn an_answer_becomes_old_exactly_when_the_picture_changes() {
@@ -63,9 +39,11 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     // Nothing asks for them again.
     window.app.viewer_mut().inspector = None;
     window.press(Key::F2);
-    window.press(Key::OpenBracket);
-    assert_eq!(are_current(&window)[1..], [false; 2]);
-    window.app.facts.comparison.is_current = true;
+    for key in [Key::OpenBracket, Key::G] {
+        window.press(key);
+        assert_eq!(are_current(&window)[1..], [false; 2], "{key:?}");
+        window.app.facts.comparison.is_current = true;
+    }
     window.size = [140, 90];
     window.step(Vec::new());
     assert!(!window.app.facts.comparison.is_current, "another size");
@@ -126,7 +104,7 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 
 #[test]
 fn work_that_is_dropped_ends() {
-    let [pool, _] = pools().expect("the system has threads");
+    let pool = pool().expect("the system has threads");
     let (tell, told) = mpsc::channel();
     let find = move |monitor: Monitor| {
         tell.send("it begins")?;
@@ -142,17 +120,13 @@ fn work_that_is_dropped_ends() {
 
 #[test]
 fn different_modes_are_mixed_until_a_key_makes_them_equal() {
-    let mut scene = default_scene();
-    let mut record = shadetrade::scene::SceneRecord::of(&scene.world);
+    let mut record = SceneRecord::of(&default_scene().world);
     let other = records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]);
     record.cuboid.push(other);
-    record.cuboid[0].shading = ShadingMode::Gouraud;
-    scene = Scene::spawn(scene.name, &record);
-    let mut window = Window::of(scene, SMALL);
-    assert_eq!(common_mode(&window.app.scene.world), None);
-    window.press(Key::P);
-    assert_eq!(
-        common_mode(&window.app.scene.world),
-        Some(ShadingMode::Phong)
-    );
+    let mut window = Window::of(Scene::spawn("two".to_owned(), &record), SMALL);
+    let mode = |window: &Window| common_mode(&window.app.scene.world);
+    assert_eq!(mode(&window), None);
+    // The first one has this mode already.
+    window.press(Key::G);
+    assert_eq!(mode(&window), Some(ShadingMode::Gouraud));
 }

@@ -203,7 +203,7 @@ fn scenes_in_the_folder_of_the_last_file_are_listed_with_the_built_in_ones() {
     assert!(!listed("Cargo.toml") && !listed("scene.txt"));
     harness.get_by_label(&path.to_string_lossy()).click();
     harness.run_ok();
-    assert_eq!(harness.state().file.path, Some(path));
+    assert_eq!(harness.state().scene.path, Some(path));
 }
 
 #[test]

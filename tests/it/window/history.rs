@@ -7,7 +7,7 @@ use egui::Key::{self, ArrowLeft, C, CloseBracket, F4, Num2, O, P, Plus, W};
 use egui::{Event, Modifiers};
 use shadetrade::components::LightKind;
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::history::History;
+use shadetrade::window::history::{State, history};
 
 use super::{PAUSE, Window};
 use crate::support::records;
@@ -134,20 +134,19 @@ fn an_undone_change_is_named() {
     }
 }
 
-/// The number of steps that can be undone after this many edits of a scene, two seconds apart.
+/// The number of steps that can be undone after this many edits of a scene.
 fn steps_after(edits: u32, record: &SceneRecord) -> usize {
-    let mut present = Arc::new(record.clone());
-    let mut history = History::new(&present);
+    let mut history = history(record);
+    let mut present = State(Arc::new(record.clone()));
     for edit in 1..=edits {
         let mut next = record.clone();
         next.background.x = f64::from(edit % 250);
-        let next = Arc::new(next);
-        history.note(PAUSE * edit, &present, &next);
-        present = next;
+        present = State(Arc::new(next));
+        history.add_undo(&present);
     }
     let mut steps = 0;
     while let Some(before) = history.undo(&present) {
-        present = Arc::new(before);
+        present = before.clone();
         steps += 1;
     }
     steps

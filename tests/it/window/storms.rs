@@ -155,7 +155,7 @@ fn after_a_storm_everything_can_be_undone_and_the_saved_file_is_read_again() {
         window.size = [90, 70];
         window.app.desk.help = false;
         window.app.save(true);
-        let path = window.app.file.path.clone().expect("a file");
+        let path = window.app.scene.path.clone().expect("a file");
         let read = Scene::load_path(&path).unwrap_or_else(|error| panic!("{seed}: {error}"));
         assert_eq!(SceneRecord::of(&read.world), window.record(), "{seed}");
         window.wait(Duration::from_secs(2));

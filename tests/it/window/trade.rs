@@ -10,6 +10,7 @@ use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::Measurement;
+use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
@@ -19,6 +20,8 @@ use crate::support::window::{app, default_scene, places, widgets};
 use crate::trade::example::live;
 
 const SIZE: [usize; 2] = [900, 700];
+/// The worst pixels of Phong and of Gouraud, in the left and in the right half of a wide picture.
+pub const WORST: [[usize; 2]; 2] = [[430, 400], [700, 330]];
 
 /// Milliseconds and errors of [`METHODS`]: a smaller error takes longer, except for exact Gouraud and the shortcut.
 fn measured() -> Vec<Measurement> {
@@ -36,26 +39,32 @@ fn measured() -> Vec<Measurement> {
     let methods = METHODS.iter().zip(figures);
     let measured = methods.map(|(method, (time, error))| Measurement {
         on_front: ![0.8, 1.9].contains(&time),
+        highlight_kept: Some(0.1),
+        error: Some(ErrorStatistics {
+            max: error,
+            max_pixel: WORST[usize::from(method.mode == Gouraud)],
+            ..ErrorStatistics::default()
+        }),
         ..live(*method, time, error)
     });
     measured.collect()
 }
 
 /// A window with this measurement.
-fn app_with_trade() -> App {
-    let mut app = app(default_scene(), SIZE, Level::new());
+pub fn app_with_trade(size: [usize; 2]) -> App {
+    let mut app = app(default_scene(), size, Level::new());
     app.shows_times = true;
     app.facts.trade.finish(Some(measured()));
     app
 }
 
 fn open() -> Window {
-    Window::with(app_with_trade(), SIZE)
+    Window::with(app_with_trade(SIZE), SIZE)
 }
 
 /// The positions of the dots in the window, in the order of [`METHODS`].
 fn dots() -> Vec<Pos2> {
-    let harness = widgets(app_with_trade(), SIZE);
+    let harness = widgets(app_with_trade(SIZE), SIZE);
     let dot = |method: &Method| {
         let label = format!("choose {}", method_name(*method));
         places(&harness, &label)[0]
@@ -93,7 +102,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
             assert_eq!(window.app.method(), Some(*method));
         }
     }
-    let mut harness = widgets(app_with_trade(), SIZE);
+    let mut harness = widgets(app_with_trade(SIZE), SIZE);
     let mut rest = METHODS.to_vec();
     rest.retain(|it| it.mode != UnitVectors);
     // At most one round through the window.
@@ -114,7 +123,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
 
 #[test]
 fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
-    let mut window = Window::with(app_with_trade(), [430, 200]);
+    let mut window = Window::with(app_with_trade(SIZE), [430, 200]);
     for key in [Key::P, Key::OpenBracket, Key::G, Key::F5, Key::H, Key::H] {
         window.press(key);
         assert!(window.app.facts.trade.current().is_some(), "{key:?}");
@@ -248,7 +257,7 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
 
 #[test]
 fn the_sentence_names_the_key_of_phong_while_gouraud_is_on_screen() {
-    let mut harness = widgets(app_with_trade(), SIZE);
+    let mut harness = widgets(app_with_trade(SIZE), SIZE);
     assert!(harness.query_by_label_contains("P shows Phong.").is_some());
     press(&mut harness, Key::P);
     assert!(harness.query_by_label_contains("shows Phong").is_none());
