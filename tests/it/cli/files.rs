@@ -59,10 +59,10 @@ mod unix {
     use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
     use std::os::unix::process::CommandExt;
     use std::path::Path;
-    use std::process::{Command, Stdio};
+    use std::process::Command;
 
     use super::*;
-    use crate::cli::{assert_failed, in_shell, said, shadetrade, stop};
+    use crate::cli::{assert_failed, in_shell, said};
 
     fn mode(path: &Path) -> u32 {
         fs::metadata(path)
@@ -147,26 +147,6 @@ mod unix {
         let output = run(folder.path(), &format!("{SMALL} /dev/full"));
         assert_failed(&output, 1, "/dev/full|No space left");
         assert_eq!(listing(folder.path()), ["pipe.fifo"]);
-    }
-
-    #[test]
-    fn an_interrupt_leaves_the_old_file_or_the_complete_new_one() {
-        let folder = folder();
-        put(folder.path(), "a.png", "old");
-        let mut program = shadetrade(folder.path());
-        program.args("render --size 4000x4000 --lights all -o a.png".split(' '));
-        let child = program.stderr(Stdio::null()).spawn().expect("it starts");
-        // The temporary file shows that the picture is being written.
-        let ended = stop(child, "INT", || listing(folder.path()) != ["a.png"]);
-        let mut others = listing(folder.path());
-        others.retain(|name| name != "a.png");
-        let found = get(folder.path(), "a.png");
-        // The signal may arrive after the file was renamed.
-        if ended.success() || found != b"old" {
-            decode(&found);
-        }
-        let is_left_over = |name: &String| !ended.success() && name.starts_with(".shadetrade-");
-        assert!(others.iter().all(is_left_over));
     }
 
     /// The superuser ignores permissions, so the program is run as another user then.

@@ -20,19 +20,6 @@ fn render(options: &str) -> (u32, u32, Vec<u8>) {
 }
 
 #[test]
-fn render_writes_a_picture_of_the_size_asked_for() {
-    for (options, size) in [
-        ("", (960, 720)),
-        ("--size 1x1", (1, 1)),
-        ("--size 16384x1", (16_384, 1)),
-        ("--size 3x500", (3, 500)),
-    ] {
-        let (width, height, _) = render(options);
-        assert_eq!((width, height), size);
-    }
-}
-
-#[test]
 fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
     let folder = folder();
     let scene = |view: &str| {

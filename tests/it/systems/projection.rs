@@ -2,7 +2,7 @@
 
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
-use shadetrade::components::{Lens, Mesh, Polygon, Projected, Projection, View, WorldTransform};
+use shadetrade::components::{Lens, Mesh, Polygon, Projected, Projection, View};
 use shadetrade::frame::Keep;
 use shadetrade::systems::{projection, viewpoint};
 
@@ -112,21 +112,6 @@ fn a_face_in_the_near_plane_up_to_rounding_is_cut_within_its_own_ends() {
             assert!(is_within, "{cut:?} of {whole:?} from {eye}");
         }
     }
-}
-
-#[test]
-fn polygons_are_computed_anew_after_a_cuboid_moved() {
-    let view = ahead(Projection::Perspective, [300, 200]);
-    let mut world = World::new();
-    let cuboids = [DVec3::ZERO, DVec3::X].map(|at| spawn(&mut world, at, DVec3::ONE));
-    run(&mut world, &view);
-    let before = cuboids.map(|cuboid| read::<Projected>(&world, cuboid));
-    let moved = world.get::<&mut WorldTransform>(cuboids[0]);
-    moved.expect("a cuboid has one").position = DVec3::Z * 50.0;
-    run(&mut world, &view);
-    let after = cuboids.map(|cuboid| read::<Projected>(&world, cuboid));
-    assert!(is_drawn(&before[0]) && !is_drawn(&after[0]));
-    assert_eq!(before[1], after[1]);
 }
 
 #[test]

@@ -2,10 +2,7 @@
 
 use glam::{DVec3, dvec3};
 use hecs::World;
-use shadetrade::components::{
-    Background, Camera, Lens, Orbit, Projection, ShadingMode, View, Viewer, active_camera, names,
-    overwrite,
-};
+use shadetrade::components::{Camera, Lens, Orbit, View, active_camera, names};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::viewpoint;
 
@@ -129,32 +126,6 @@ fn without_its_active_camera_a_scene_uses_the_first() {
     scene.world.despawn(active).expect("it is there");
     assert_eq!(names::<Camera>(&scene.world), ["front"]);
     assert_eq!(seen_from(&scene), DVec3::Z * 10.0);
-}
-
-#[test]
-fn a_view_has_the_settings_of_the_viewer_and_its_mode_overrides_that_of_every_cuboid() {
-    let mut scene = cameras();
-    let world = &mut scene.world;
-    let viewer = Viewer {
-        projection: Projection::Orthographic,
-        tolerance: 0.25,
-        turned: 7,
-        turns: true,
-        ..Viewer::default()
-    };
-    overwrite(world, &viewer);
-    overwrite(world, &Background(DVec3::ONE));
-    let view = View::of(world, [30, 20]);
-    assert_eq!(view.size, [30, 20]);
-    assert_eq!(view.projection, Projection::Orthographic);
-    assert_eq!((view.tolerance, view.turned), (0.25, 7));
-    assert_eq!((view.background, view.shading), (DVec3::ONE, None));
-    for own in [ShadingMode::Gouraud, ShadingMode::Phong] {
-        assert_eq!(view.mode(own), own);
-        for mode in [ShadingMode::Gouraud, ShadingMode::UnitVectors] {
-            assert_eq!(view.shaded(mode).mode(own), mode);
-        }
-    }
 }
 
 #[test]
