@@ -45,7 +45,7 @@ pub struct ReplayOptions {
     /// Prints the time and a hash of every frame, which is the same at every SIMD level and with any number of threads
     #[arg(long)]
     pub hash: bool,
-    /// The longest pause; longer ones are shortened to it
+    /// The longest pause; longer ones are shortened to it, but not below the time to read the words of `say`
     #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "2", allow_negative_numbers = true)]
     pub idle: Duration,
     /// The SIMD level and the threads.
@@ -155,10 +155,10 @@ pub struct ProveOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// Judges a picture of the scene by any program: a PNG with 8 bits per channel, whose size replaces --size
+    /// Judges a picture of the scene by any program: a PNG with 8 bits per channel, whose size replaces --size; `-` for standard input
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
-    /// The PNG file of the verdicts: proven pixels dim, undecided ones yellow, refuted ones red
+    /// The PNG file of the verdicts: proven pixels dim, and blue at outlines, undecided ones yellow, refuted ones red
     #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text

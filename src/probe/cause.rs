@@ -95,23 +95,22 @@ impl ProbedSurface {
         let (kind, within) = (self.kind.name(), self.tolerance);
         match (self.mode, self.kind) {
             (ShadingMode::Gouraud, TileKind::PerPixel | TileKind::InF64) => {
-                "No evaluation of the model: the levels of three vertices, interpolated at \
-                 every pixel."
+                "The model is not evaluated here: the levels of three vertices are interpolated at every pixel."
                     .to_owned()
             }
             (ShadingMode::Gouraud, _) => format!(
-                "No evaluation of the model: the levels of three vertices are interpolated. In the square around this \
-                 pixel a polynomial ({kind}) is certified within {within}."
+                "The model is not evaluated here: Gouraud interpolates the levels of three vertices. In the square around \
+                 this pixel a polynomial ({kind}) stands for that, certified within {within}."
             ),
             (_, TileKind::PerPixel) => {
-                "An evaluation of the model, as at every pixel of its square.".to_owned()
+                "The model is evaluated here, as at every pixel of the square.".to_owned()
             }
             (_, TileKind::InF64) => {
-                "An evaluation of the model in f64, as at every pixel of its square.".to_owned()
+                "The model is evaluated here in f64, as at every pixel of the square.".to_owned()
             }
             _ => format!(
-                "Nine evaluations of the model in the square around this pixel. A polynomial through them ({kind}) is \
-                 certified within {within}."
+                "The model is evaluated at nine places of the square around this pixel. A polynomial through them ({kind}) \
+                 is certified within {within}."
             ),
         }
     }

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde_json::{Map, Value, json};
 
 use super::{Probe, ProbedSurface};
-use crate::components::LightKind;
+use crate::components::{LightKind, TRIANGLES};
 use crate::frame::display_step;
 use crate::reference::{LightSample, Sample};
 
@@ -65,6 +65,14 @@ impl Probe {
                 format!("{:.5}", light.factor),
             ]);
             row(&light.name, &factors);
+        }
+        if let Some(sample) = sample {
+            let decimals = |numbers: [f64; 3]| joined(numbers.map(|it| format!("{it:.5}")));
+            row("vertex", &joined(TRIANGLES[sample.triangle]));
+            row("weight", &decimals(sample.weights));
+            for light in lights {
+                row(&light.name, &decimals(light.corner_factors));
+            }
         }
         let channels = joined(["r", "g", "b"]);
         row("strength", &channels);

@@ -1,7 +1,6 @@
 //! The picture of another program, read from a PNG file.
 
-use std::fs::File;
-use std::io::BufReader;
+use std::io::Cursor;
 use std::path::Path;
 
 use anyhow::{Context, ensure};
@@ -9,21 +8,27 @@ use image::codecs::png::PngDecoder;
 use image::{DynamicImage, ImageDecoder};
 
 use crate::memory;
-use crate::scene::MAX_SIDE;
+use crate::scene::{self, MAX_SIDE};
 
 /// The pixels of a picture, 0x00RRGGBB row by row from the top, and its width and height.
 pub type PngPicture = (Vec<u32>, [usize; 2]);
 
-/// Reads a PNG with 8 bits a channel. A grey one has three equal channels.
+/// In MiB: room for the largest picture without compression.
+const LARGEST: u64 = 1100;
+
+/// Reads a PNG with 8 bits a channel from a file or a pipe; `-` is standard input. A grey one has three equal channels.
 ///
 /// # Errors
 /// If there is no such file, it is no PNG, has 16 bits a channel or transparent pixels, or does not fit in memory.
 pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
     let name = path.display();
-    let file = File::open(path).with_context(|| format!("cannot read {name}"))?;
-    let is_file = file.metadata().is_ok_and(|found| found.is_file());
-    ensure!(is_file, "{name} is not a file");
-    let decoder = PngDecoder::new(BufReader::new(file))
+    let source = if path == "-" {
+        "/dev/stdin".as_ref()
+    } else {
+        path
+    };
+    let bytes = scene::read(source, LARGEST).with_context(|| format!("cannot read {name}"))?;
+    let decoder = PngDecoder::new(Cursor::new(bytes))
         .with_context(|| format!("{name} is not a PNG file that can be read"))?;
     let (width, height) = decoder.dimensions();
     let size = [width, height].map(|side| side as usize);

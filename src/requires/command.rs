@@ -21,8 +21,8 @@ use crate::trade::timing;
 
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; time: the part's share of the shortest frame time on one thread, negative \
-    if the frame without the part takes longer, a dash if the renderer cannot draw without it; required: the picture \
-    without the part is not proven to keep the tolerance.";
+    if the frame without the part takes longer, a dash if the renderer cannot draw without it; required: yes, unless leaving \
+    the part out is proven to keep the tolerance.";
 
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
     least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \

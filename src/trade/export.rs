@@ -101,8 +101,8 @@ fn legend(report: &Report) -> String {
         "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \
          greatest median of a run, each a process of its own. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
-         belongs. Best trade: no other method errs less in a median time that is no longer, or errs as much and is \
-         measurably faster (their ranges do not overlap).{note}"
+         belongs. Best trade: every faster method errs more, and every method that errs less is slower; of equal errors, one is faster \
+         only if their ranges do not overlap.{note}"
     )
 }
 

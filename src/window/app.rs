@@ -35,9 +35,6 @@ pub const REST: Duration = Duration::from_millis(100);
 const NARROW: usize = 430;
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
 const DEGREE: Duration = Duration::from_millis(30);
-/// The time for which a message stands: at least this, and this long for each letter.
-const MESSAGE: Duration = Duration::from_secs(3);
-const LETTER: Duration = Duration::from_millis(60);
 /// How long each of two pictures is shown while they take turns.
 pub const TURN: Duration = Duration::from_millis(500);
 
@@ -252,7 +249,7 @@ impl App {
     /// Shows a message for as long as it takes to read.
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
-        let until = self.now + MESSAGE.max(LETTER * text.len() as u32);
+        let until = self.now + reading_time(&text);
         self.desk.message = Some((text, until));
     }
 
@@ -313,4 +310,11 @@ impl App {
         self.next_degree = self.now + DEGREE;
         self.viewer_mut().turns ^= true;
     }
+}
+
+/// The time for which a message stands.
+pub fn reading_time(text: &str) -> Duration {
+    const LEAST: Duration = Duration::from_secs(3);
+    const LETTER: Duration = Duration::from_millis(60);
+    LEAST.max(LETTER * text.len() as u32)
 }

@@ -215,7 +215,8 @@ impl App {
             let bytes = (is_named && path.is_file()).then(|| scene::read(&path, scene::LARGEST))?;
             let bytes = bytes.ok()?;
             let text = String::from_utf8(bytes).ok();
-            let text = text.filter(|text| text.contains("cuboid"))?;
+            let is_cuboid = |line: &str| line.trim_start_matches(['[', ' ']).starts_with("cuboid");
+            let text = text.filter(|text| text.lines().any(is_cuboid))?;
             Some((path.to_str()?.to_owned(), text))
         };
         paths.into_iter().filter_map(scene).collect()

@@ -19,6 +19,7 @@ use json_patch::{Patch, PatchOperation};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use super::app::reading_time;
 use crate::drawing::Drawing;
 use crate::scene::{MAX_SIDE, Scene, SceneRecord};
 
@@ -139,14 +140,14 @@ pub struct Log {
 }
 
 impl Log {
-    /// Reads a log that errors call `name`; pauses longer than `idle` are cut to it.
+    /// Reads a log that errors call `name`. Pauses longer than `idle` are cut to it, but words get the time to read them.
     ///
     /// # Errors
     /// The first mistake, with its line.
     pub fn read(name: &str, bytes: &[u8], idle: Duration) -> anyhow::Result<Log> {
         let text = String::from_utf8_lossy(bytes);
         let (mut frames, mut start, mut state) = (Vec::<RecordedFrame>::new(), None, None);
-        let mut cut_off = None;
+        let (mut cut_off, mut read_until) = (None, Duration::ZERO);
         for (number, line) in (1..).zip(text.split_inclusive('\n')) {
             let last = frames.last().map_or(Duration::ZERO, |frame| frame.time);
             let (time, event) = match read_line(line.trim_end(), last, &mut state) {
@@ -160,16 +161,24 @@ impl Log {
             if let (Event::Scene(scene), None) = (&event, &start) {
                 start = Some(scene.clone());
             }
+            let at = match frames.last() {
+                Some(last) if last.time == time => last.at,
+                Some(last) => {
+                    let whole = last.at + time.saturating_sub(last.time);
+                    whole.min(read_until.max(last.at + idle))
+                }
+                None => Duration::ZERO,
+            };
+            if let Event::Say(words) = &event {
+                read_until = at + reading_time(words);
+            }
             match frames.last_mut() {
                 Some(frame) if frame.time == time => frame.events.push(event),
-                last => {
-                    let at = last.map(|last| last.at + idle.min(time.saturating_sub(last.time)));
-                    frames.push(RecordedFrame {
-                        time,
-                        at: at.unwrap_or_default(),
-                        events: vec![event],
-                    });
-                }
+                _ => frames.push(RecordedFrame {
+                    time,
+                    at,
+                    events: vec![event],
+                }),
             }
         }
         Ok(Log {

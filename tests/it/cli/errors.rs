@@ -61,7 +61,7 @@ const FAILURES: &str = r#"
 2  prove --picture half.png  ->  damaged
 2  prove --picture text.png  ->  not a PNG
 2  prove --picture absent.png  ->  cannot read
-2  prove --picture .  ->  not a file
+2  prove --picture .  ->  cannot read .
 2  prove --picture drawn.png --size 96x72  ->  --size
 2  prove --picture drawn.png -o drawn.png  ->  the input itself
 # Recordings.

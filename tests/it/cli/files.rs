@@ -147,6 +147,9 @@ mod unix {
         let output = run(folder.path(), &format!("{SMALL} /dev/full"));
         assert_failed(&output, 1, "/dev/full|No space left");
         assert_eq!(listing(folder.path()), ["pipe.fifo"]);
+        let script = format!("$0 {SMALL} - | $0 prove --picture -");
+        let judged = crate::cli::in_shell(folder.path(), &script);
+        assert!(judged.status.success(), "{}", said(&judged));
     }
 
     /// The superuser ignores permissions, so the program is run as another user then.

@@ -67,11 +67,11 @@ fn unit_vectors_are_as_short_as_their_mean() {
 fn the_cost_is_that_of_the_square() {
     use ShadingMode::{Gouraud, Phong, UnitVectors};
     for (mode, kind, words) in [
-        (Phong, Quadratic, ["Nine", "(quadratic)"]),
-        (Phong, PerPixel, ["An evaluation", "every pixel"]),
-        (Gouraud, Linear, ["No evaluation", "(linear)"]),
-        (Gouraud, PerPixel, ["No evaluation", "every pixel"]),
-        (UnitVectors, InF64, ["An evaluation", "f64"]),
+        (Phong, Quadratic, ["nine", "(quadratic)"]),
+        (Phong, PerPixel, ["is evaluated", "every pixel"]),
+        (Gouraud, Linear, ["not evaluated", "(linear)"]),
+        (Gouraud, PerPixel, ["not evaluated", "every pixel"]),
+        (UnitVectors, InF64, ["is evaluated", "f64"]),
     ] {
         let mut surface = surface_of(mode, [480, 360], |_| ());
         surface.kind = kind;
@@ -134,6 +134,24 @@ fn the_text_shows_every_value_in_rows() {
         let factor: f64 = row[2].parse().expect("a number");
         assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
         assert_eq!(row[1] == "-", light.kind != LightKind::Specular, "{row:?}");
+    }
+    // Gouraud by hand, from the rows of the vertices.
+    let numbers = |name: &str| -> Vec<f64> {
+        let cells = cells(&lines, "vertex", name);
+        cells
+            .iter()
+            .map(|it| it.parse().expect("a number"))
+            .collect()
+    };
+    let weights = numbers("weight");
+    for light in surface.lights() {
+        let factors = numbers(&light.name);
+        let sum: f64 = weights
+            .iter()
+            .zip(factors)
+            .map(|(w, factor)| w * factor)
+            .sum();
+        assert!((light.strength * sum - light.gouraud).length() < 1e-4 * light.strength.length());
     }
     let exact = surface.sample.as_ref().expect("the same face");
     assert!(exact.position.x < -1.0);

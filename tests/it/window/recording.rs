@@ -226,16 +226,18 @@ fn the_lessons_are_valid() {
 }
 
 #[test]
-fn long_pauses_are_shortened_and_short_ones_are_not() {
-    let text = log("0.500 say \"a\"\n0.750 say \"b\"\n100.75 say \"c\"\n101.75 say \"d\"\n");
-    let log = read(&text).expect("it is valid");
+fn long_pauses_are_shortened_but_not_below_the_time_to_read_words() {
+    // A hundred letters take six seconds.
+    let (words, size) = ("a".repeat(100), "size [300,200]");
+    let lines = format!("0.5 {size}\n0.75 {size}\n99 say {words:?}\n100 {size}\n199 {size}\n");
+    let log = read(&log(&lines)).expect("it is valid");
     let (times, played): (Vec<_>, Vec<_>) = log
         .frames
         .iter()
         .map(|frame| (frame.time.as_secs_f64(), frame.at.as_secs_f64()))
         .unzip();
-    assert_eq!(times, [0.0, 0.5, 0.75, 100.75, 101.75]);
-    assert_eq!(played, [0.0, 0.5, 0.75, 2.75, 3.75]);
+    assert_eq!(times, [0.0, 0.5, 0.75, 99.0, 100.0, 199.0]);
+    assert_eq!(played, [0.0, 0.5, 0.75, 2.75, 3.75, 8.75]);
 }
 
 /// Third lines of a log, and words of their error.
