@@ -13,6 +13,7 @@ use crate::components::{
     Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, names, ordered, overwrite,
 };
 use crate::drawing::camera_name;
+use crate::scene::SceneRecord;
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
@@ -199,9 +200,10 @@ impl App {
         let Some(found) = find(&mut self.history, &present) else {
             return self.say(format!("nothing to {verb}"));
         };
-        let found = found.seen_as(&present.0.view);
-        self.restore(&found);
-        let change = difference(&json!(*present.0), &json!(found));
+        let mut record = SceneRecord::clone(&found.0);
+        record.view = found.view_as(&present.0.view);
+        self.restore(&record);
+        let change = difference(&json!(*present.0), &json!(record));
         self.say(format!("{verb}: {change}"));
     }
 

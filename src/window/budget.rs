@@ -68,8 +68,7 @@ impl App {
 
     /// Holds the time that the method on screen takes, with a little room, or the error again.
     pub fn switch_budget(&mut self) {
-        let time = self.milliseconds();
-        let time = time.filter(|_| self.facts.trade.is_current);
+        let time = self.measured_time();
         let next = time.map_or(FIRST, |time| 1.1 * time);
         let budget = self.viewer().budget;
         self.set_budget(budget.is_none().then_some(next));
