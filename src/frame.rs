@@ -68,7 +68,7 @@ impl Workers {
 pub enum Keep {
     /// Displayed pixels, 0x00RRGGBB, in the format of the window.
     Display,
-    /// Of each pixel the unclamped, unrounded levels, the visible triangle and the kind of its tile.
+    /// Of each pixel the unclamped, unrounded levels, the visible triangle and the kind of its square.
     Levels,
 }
 
@@ -159,7 +159,7 @@ impl Frame {
         }
     }
 
-    /// The kind of each pixel's tile: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`].
+    /// The kind of each pixel's square: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`].
     /// Undefined where no triangle is visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
         self.buffers.kinds.as_slice()

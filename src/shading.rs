@@ -116,14 +116,14 @@ pub struct Counts {
     pub model_evaluations: u64,
     /// Evaluations of a specular power.
     pub specular_evaluations: u64,
-    /// Tiles drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
+    /// Squares drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
     /// a pixel of it is seen, since the strips of a frame may belong to different threads.
     #[serde(skip)]
     pub tiles: [u64; TileKind::ALL.len()],
 }
 
 impl Counts {
-    /// Adds tiles of a kind, with this number of pixels in all.
+    /// Adds squares of a kind, with this number of pixels in all.
     pub fn add(&mut self, kind: TileKind, tiles: u64, pixels: usize) {
         self.tiles[kind as usize] += tiles;
         self.covered_pixels += pixels as u64;

@@ -118,7 +118,7 @@ impl<'a> Face<'a> {
         let along = [(axis + 1) % 3, (axis + 2) % 3];
         let (outwards, w, height) = plane(index, transform, half, rays);
         let centre = transform.position - rays.lens.eye;
-        let mut face = Face {
+        let face = Face {
             rays,
             index,
             outwards,
@@ -136,15 +136,18 @@ impl<'a> Face<'a> {
         let to_centre = face.towards(centre, DVec3::ZERO);
         let [u, v] =
             along.map(|axis| to_centre.map(|c| -transform.axes.col(axis).dot(c) / half[axis]));
-        face.uvw = Affine {
+        let uvw = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
             dx: DVec3::new(u.dx, v.dx, w.dx),
             dy: DVec3::new(u.dy, v.dy, w.dy),
         };
         let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
-        face.uv_gradient = moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy);
-        face.diagonal = face.uvw.map(|it| face.across([it.x, it.y]));
-        face
+        Face {
+            uvw,
+            diagonal: uvw.map(|it| face.across([it.x, it.y])),
+            uv_gradient: moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy),
+            ..face
+        }
     }
 
     /// The affine function of u and v with the given values at the corners of triangle 0 or 1; `values` are those of the

@@ -5,7 +5,7 @@
 //! are evaluated by the same lines.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
+use fearless_simd::{Simd, f32x16, f64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
@@ -131,8 +131,7 @@ impl<'a> Gouraud<'a> {
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
-        let none = mask64x4::splat(simd, false);
-        let interpolant = Interpolant::new(terms, [zero; 3], none, budget);
+        let interpolant = Interpolant::new(terms, [zero; 3], budget);
         (Some(interpolant), 0b1111)
     }
 

@@ -11,7 +11,7 @@
 //! 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
+use fearless_simd::{Simd, f32x16, f64x4};
 
 use super::lanes::{Squares, has};
 use super::rows::{Curve, Ramp};
@@ -84,7 +84,7 @@ pub struct Interpolant<S: Simd> {
     /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square. Each pixel takes
     /// max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
     terms: [[[f64x4<S>; 3]; 3]; 4],
-    /// The factors of n.l, in levels.
+    /// The factors of n.l, in levels; 0 where no terminator crosses.
     crossing: [f64x4<S>; 3],
     /// None where the budget does not suffice or a sample is not a number.
     pub kinds: [Option<TileKind>; 4],
@@ -95,12 +95,7 @@ pub struct Interpolant<S: Simd> {
 impl<S: Simd> Interpolant<S> {
     /// The cheapest rows that stay within the budget: the rest of the tolerance. A square with nothing left has no kind.
     #[inline(always)]
-    pub fn new(
-        terms: [[[f64x4<S>; 3]; 3]; 4],
-        crossing: [f64x4<S>; 3],
-        crosses: mask64x4<S>,
-        budget: f64x4<S>,
-    ) -> Self {
+    pub fn new(terms: [[[f64x4<S>; 3]; 3]; 4], crossing: [f64x4<S>; 3], budget: f64x4<S>) -> Self {
         let zero = f64x4::splat(budget.token(), 0.0);
         let [mut size, mut error] = [zero; 2];
         let mut inside = budget.simd_gt(0.0);
@@ -131,7 +126,8 @@ impl<S: Simd> Interpolant<S> {
         let fixed = inside & left.simd_gt(FIXED);
         let allowed = fixed.select(left - FIXED, left);
         let possible = (finite & left.simd_gt(0.0)).to_bitmask();
-        let crosses = crosses.to_bitmask();
+        let all_levels = crossing[0] + crossing[1] + crossing[2];
+        let crosses = all_levels.simd_gt(0.0).to_bitmask();
         let curved = error.simd_gt(allowed).to_bitmask();
         let kinds = four!(|index| {
             let kind = if has(crosses, index) {

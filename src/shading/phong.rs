@@ -38,7 +38,7 @@ use crate::simd::{four, inlined, three};
 const UNSURE: f64 = 1.0;
 
 /// A point light on a face, and on the four squares prepared last.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct FaceLight {
     /// w (L - P).
     towards: Affine,
@@ -60,26 +60,17 @@ pub struct FaceLight {
 }
 
 impl FaceLight {
-    /// A light on a face; None if it lights no pixel of it.
-    fn new(face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) -> Option<Self> {
-        let coefficients = surface.coefficients(light);
-        let most = coefficients.map(DVec3::max_element);
+    /// Overwrites it with a light on a face. Its factors are 0 if it lights no pixel of it.
+    fn set(&mut self, face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) {
         let position = light.position - face.rays.lens.eye;
-        if most == [0.0; 2] || face.is_behind(position, normals) {
-            return None;
-        }
-        let [diffuse, specular] = coefficients.map(|levels| levels.as_vec3().to_array());
-        Some(FaceLight {
-            towards: face.towards(position, light.position - surface.centre),
-            diffuse,
-            specular,
-            most,
-            reaches: 0,
-            shines: 0,
-            crosses: 0,
-            by_square: Default::default(),
-            doubt: [0.0; 4],
-        })
+        let coefficients = if face.is_behind(position, normals) {
+            [DVec3::ZERO; 2]
+        } else {
+            surface.coefficients(light)
+        };
+        self.towards = face.towards(position, light.position - surface.centre);
+        [self.diffuse, self.specular] = coefficients.map(|levels| levels.as_vec3().to_array());
+        self.most = coefficients.map(DVec3::max_element);
     }
 }
 
@@ -116,9 +107,13 @@ impl<'a> Phong<'a> {
         lights: &'a mut Vec<FaceLight>,
         tolerance: f64,
     ) -> Self {
-        lights.clear();
-        let points = surface.illumination.points.iter();
-        lights.extend(points.filter_map(|light| FaceLight::new(face, &normals, &surface, light)));
+        let points = &surface.illumination.points;
+        // Lights are overwritten in place. To copy new ones takes 2 % of the time of many small cuboids.
+        lights.resize(points.len(), FaceLight::default());
+        for (light, point) in lights.iter_mut().zip(points) {
+            light.set(face, &normals, &surface, point);
+        }
+        lights.retain(|light| light.most != [0.0; 2]);
         Phong {
             face,
             surface,
@@ -144,6 +139,9 @@ impl<'a> Phong<'a> {
         interpolate: bool,
     ) -> (Option<Interpolant<S>>, Squares) {
         let (budget, promising) = self.classify(extents, interpolate);
+        if !interpolate {
+            return (None, 0);
+        }
         if !budget.simd_gt(0.0).any_true() {
             return (None, promising);
         }
@@ -151,17 +149,14 @@ impl<'a> Phong<'a> {
         let sample = inlined!(|xy| self.levels(simd, LaneLayout::Nodes, xy));
         let terms = sampled(simd, sample);
         let mut crossing = [zero; 3];
-        let mut crosses = mask64x4::splat(simd, false);
         for light in self.lights.iter().filter(|light| light.crosses != 0) {
-            let own = mask64x4::from_bitmask(simd, light.crosses);
-            crossing = three!(|channel| {
+            let crosses = mask64x4::from_bitmask(simd, light.crosses);
+            for channel in 0..3 {
                 let levels = f64x4::splat(simd, f64::from(light.diffuse[channel]));
-                own.select(levels, crossing[channel])
-            });
-            crosses |= own;
+                crossing[channel] += crosses.select(levels, zero);
+            }
         }
-        let interpolant = Interpolant::new(terms, crossing, crosses, budget);
-        (Some(interpolant), promising)
+        (Some(Interpolant::new(terms, crossing, budget)), promising)
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -189,7 +184,7 @@ impl<'a> Phong<'a> {
         // Pixels of a sliver are clamped to the face, one by one.
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
-        let mut budget = splat(if interpolate { self.tolerance } else { -1.0 });
+        let mut budget = splat(self.tolerance);
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
         let (mut left_out, mut crossed, mut unsure) = (zero, none, zero);
@@ -200,35 +195,24 @@ impl<'a> Phong<'a> {
             let to_light = Field::new(&light.towards, extents);
             let roundings = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::side(&normal, &to_light, roundings * U);
-            light.reaches = (!dark).to_bitmask();
-            (light.shines, light.crosses) = (0, 0);
-            if light.reaches == 0 {
-                continue;
-            }
             let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
-            let is_bounded = (bounded & budget.simd_gt(0.0)).any_true();
             let (mut shines, mut error, mut doubt) = (none, zero, zero);
-            if light.most[0] > 0.0 {
-                rounding.add(dark.select(zero, diffuse), roundings);
-            }
+            rounding.add(dark.select(zero, diffuse), roundings);
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
                 shines = reflection[0].simd_gt(self.gloss.least) & !dark;
                 left_out += (shines | dark).select(zero, splat(self.gloss.faint));
-                let any_shines = shines.any_true();
-                if any_shines {
-                    let chord = self.gloss.propagated(rounding.chord(&to_light));
-                    rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
-                    doubt = (lit | !shines).select(zero, roundings * U);
-                }
-                if is_bounded {
-                    let power = bound::power(self.gloss.shininess, reflection[0]);
-                    error = power * specular;
-                    if any_shines {
+                let chord = self.gloss.propagated(rounding.chord(&to_light));
+                rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
+                doubt = (lit | !shines).select(zero, roundings * U);
+                if interpolate {
+                    // All of a highlight that is not drawn is missing.
+                    error = bound::power(self.gloss.shininess, reflection[0]);
+                    if shines.any_true() {
                         let (gloss, light) = (self.gloss, &to_light);
-                        let bound =
-                            bound::highlight_error(gloss, &normal, light, &eye, reflection, power);
-                        error = shines.select(bound * specular, error);
+                        let drawn =
+                            bound::highlight_error(gloss, &normal, light, &eye, reflection, error);
+                        error = shines.select(drawn, error);
                     }
                 }
             }
@@ -241,11 +225,10 @@ impl<'a> Phong<'a> {
                 let sure = to_light.is_direction_bounded() & (lit | dark | idle | crosses);
                 unsure += sure.select(zero, one);
                 bounded &= sure;
-                if is_bounded {
-                    error += bound::cosine_error(&normal, &to_light) * diffuse;
-                    budget -= dark.select(zero, error);
-                }
+                let error = error * specular + bound::cosine_error(&normal, &to_light) * diffuse;
+                budget -= dark.select(zero, error);
             }
+            light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
             light.crosses = crosses.to_bitmask();
             light.by_square = to_light.squares();
@@ -255,8 +238,7 @@ impl<'a> Phong<'a> {
         let rounding = rounding.levels();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
         let budget = bounded.select(budget - rounding * LEBESGUE, -one);
-        let promising = (steady & unsure.simd_le(UNSURE)).to_bitmask();
-        (budget, if interpolate { promising } else { 0 })
+        (budget, (steady & unsure.simd_le(UNSURE)).to_bitmask())
     }
 
     /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.

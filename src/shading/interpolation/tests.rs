@@ -66,7 +66,6 @@ fn judge(
     let interpolant = Interpolant::new(
         color.map(|nine| nine.map(|row| row.map(lanes))),
         crossing.unwrap_or_default().map(lanes),
-        mask64x4::splat(simd, crossing.is_some()),
         lanes(budget),
     );
     let mut judge = Judge {
@@ -234,8 +233,7 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
             let mut kinds = [0; 3];
             for step in 1..=120 {
                 let budget = f64::from(step) / 100.0;
-                let none = mask64x4::splat(token(), false);
-                let interpolant = Interpolant::new(terms, [number(0.0); 3], none, number(budget));
+                let interpolant = Interpolant::new(terms, [number(0.0); 3], number(budget));
                 let kind = interpolant.kinds[0].expect("a budget is left");
                 kinds[kind as usize] += 1;
                 // Half extents of a pixel.
