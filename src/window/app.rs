@@ -217,6 +217,8 @@ impl App {
         self.record(size);
         self.outdate();
         self.hold_time();
+        // A budget may be held by another method now.
+        self.outdate();
         self.draw()?;
         // A tab that was opened in the last step has its room by now.
         let is_found = is_sought && self.explain_sought();

@@ -31,7 +31,7 @@ impl App {
         let budget = self.viewer().budget;
         let measured = self.facts.trade.value.as_deref().unwrap_or_default();
         let (methods, costs) = best_trades(measured);
-        let held = budget.filter(|_| !methods.is_empty()).map(|budget| {
+        self.held = budget.filter(|_| !methods.is_empty()).map(|budget| {
             let is_current = self.facts.trade.current().is_some();
             if is_current || self.held.is_none() {
                 self.hold = Hold::at(fitting(&costs, budget));
@@ -40,10 +40,6 @@ impl App {
             }
             methods[self.hold.place.min(methods.len() - 1)]
         });
-        if held != self.held {
-            self.held = held;
-            self.outdate_picture(true);
-        }
     }
 
     /// The milliseconds of the last frame, where another one is to be drawn now.

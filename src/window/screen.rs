@@ -26,7 +26,7 @@ impl App {
         held.unwrap_or(view)
     }
 
-    /// Outdates the facts about the picture on screen if another one is to be drawn.
+    /// Outdates the facts about the picture on screen if another one is to be drawn, and stops the work on them.
     pub(super) fn outdate(&mut self) {
         let Some((before, view_before)) = self.drawn.clone() else {
             return;
@@ -37,7 +37,8 @@ impl App {
         let is_same_view =
             by_any_method(view) == by_any_method(view_before) && !is_another_scene(&before, &after);
         if !is_same_view || view != view_before || before.cuboid != after.cuboid {
-            self.outdate_picture(is_same_view);
+            self.work = None;
+            self.facts.outdate(is_same_view);
         } else if shown(&before) != shown(&after)
             || before.view.pixel != after.view.pixel
                 && (self.probed().is_none() || after.view.show == ViewMode::Wipe)
@@ -45,15 +46,6 @@ impl App {
             self.work.take_if(|work| work.question == Question::Probe);
             self.facts.section.is_current = false;
         }
-        if view.size != view_before.size {
-            self.keep_pixel(view_before.size, view.size);
-        }
-    }
-
-    /// Outdates all facts, and stops the work on them. If the view is the same, only its method has changed.
-    pub(super) fn outdate_picture(&mut self, is_same_view: bool) {
-        self.work = None;
-        self.facts.outdate(is_same_view);
     }
 
     /// Draws the pictures if the state or the view is another one.
@@ -66,7 +58,10 @@ impl App {
             let viewer = Viewer::clone(&self.viewer());
             self.pictures.draw(&mut self.scene.world, &viewer, &view)?;
             self.moved = Some(self.now);
-            self.drawn = Some(present);
+            let before = self.drawn.replace(present).map(|(_, before)| before.size);
+            if let Some(before) = before.filter(|before| *before != view.size) {
+                self.keep_pixel(before, view.size);
+            }
         }
         Ok(())
     }
