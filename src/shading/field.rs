@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
 use super::affine::Affine;
-use super::lanes::dot;
+use super::lanes::{Affine4, dot};
 use super::square::Square;
 use crate::components::length;
 use crate::simd::{four, inlined, three, two};
@@ -117,16 +117,16 @@ impl<S: Simd> Field<S> {
         self.shortest.simd_gt(0.0).select(error, infinite)
     }
 
-    /// The vector in f32, by square.
+    /// The vector in f32.
     #[inline(always)]
-    pub fn squares(&self) -> [[[f32; 4]; 3]; 3] {
+    pub fn single(&self) -> [Affine4; 3] {
         three!(|axis| single([self.middle[axis], self.right[axis], self.down[axis]]))
     }
 }
 
-/// An affine number in f32, by square.
+/// An affine number in f32.
 #[inline(always)]
-pub fn single<S: Simd>(number: [f64x4<S>; 3]) -> [[f32; 4]; 3] {
+pub fn single<S: Simd>(number: [f64x4<S>; 3]) -> Affine4 {
     three!(|term| four!(|square| number[term].as_array()[square] as f32))
 }
 

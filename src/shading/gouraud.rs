@@ -13,7 +13,7 @@ use super::bound;
 use super::face::Face;
 use super::field::{Extents, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{LaneLayout, Squares};
+use super::lanes::{Affine4, LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
@@ -26,9 +26,9 @@ pub struct Gouraud<'a> {
     levels: &'a [DVec3; 8],
     colors: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
-    w_by_square: [[f32; 4]; 3],
-    diagonal_by_square: [[f32; 4]; 3],
-    colors_by_square: [[[[f32; 4]; 3]; 3]; 2],
+    w_by_square: Affine4,
+    diagonal_by_square: Affine4,
+    colors_by_square: [[Affine4; 3]; 2],
     /// The squares that meet each triangle.
     meets: [Squares; 2],
     /// Where levels in f32 keep the tolerance.
@@ -138,7 +138,7 @@ impl<'a> Gouraud<'a> {
     /// w C / w at points of squares, x and y from -1 to 1.
     #[inline(always)]
     pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &[[f32; 4]; 3]| at.affine(of, xy));
+        let affine = inlined!(|of: &Affine4| at.affine(of, xy));
         let inverse = 1.0 / affine(&self.w_by_square);
         let [first, second] = &self.colors_by_square;
         if !at.any(self.meets[1]) {

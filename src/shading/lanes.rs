@@ -21,6 +21,10 @@ pub fn has(set: Squares, square: usize) -> bool {
     set >> square & 1 == 1
 }
 
+/// An affine number on each of the four squares: its values at their middles, and its changes from there to their outermost
+/// covered pixel centres, right and down.
+pub type Affine4 = [[f32; 4]; 3];
+
 /// Which squares the sixteen lanes belong to.
 #[derive(Clone, Copy)]
 pub enum LaneLayout {
@@ -49,10 +53,9 @@ impl LaneLayout {
         }
     }
 
-    /// An affine number at points of the squares, x and y from -1 to 1. It is given for each square: its value at the middle,
-    /// and its changes from there to the outermost covered pixel centres, right and down.
+    /// An affine number at points of the squares, x and y from -1 to 1.
     #[inline(always)]
-    pub fn affine<S: Simd>(self, of: &[[f32; 4]; 3], [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
+    pub fn affine<S: Simd>(self, of: &Affine4, [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
         let [middle, right, down] = three!(|term| self.lanes(x.token(), &of[term]));
         x * right + (y * down + middle)
     }

@@ -25,7 +25,7 @@ use super::face::Face;
 use super::field::{Extents, Field};
 use super::gloss::Gloss;
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{LaneLayout, Squares, dot, has};
+use super::lanes::{Affine4, LaneLayout, Squares, dot, has};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
 use super::surface::Surface;
@@ -54,7 +54,7 @@ pub struct FaceLight {
     /// Where n.l may change its sign and its highlight is not drawn. An interpolated square may have one such light.
     crosses: Squares,
     /// `towards`, scaled to length one at the middle of each square.
-    by_square: [[[f32; 4]; 3]; 3],
+    by_square: [Affine4; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
     doubt: [f32; 4],
 }
@@ -89,8 +89,8 @@ pub struct Phong<'a> {
     normals: Affine,
     normal: Affine,
     /// w n and w (O - P), scaled to length one at the middle of each square.
-    normal_by_square: [[[f32; 4]; 3]; 3],
-    eye_by_square: [[[f32; 4]; 3]; 3],
+    normal_by_square: [Affine4; 3],
+    eye_by_square: [Affine4; 3],
     /// Where any highlight is drawn.
     shines: Squares,
     /// Where levels in f32 keep the tolerance.
@@ -188,8 +188,8 @@ impl<'a> Phong<'a> {
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
         let (mut left_out, mut crossed, mut unsure) = (zero, none, zero);
-        self.normal_by_square = normal.squares();
-        self.eye_by_square = eye.squares();
+        self.normal_by_square = normal.single();
+        self.eye_by_square = eye.single();
         self.shines = 0;
         for light in self.lights.iter_mut() {
             let to_light = Field::new(&light.towards, extents);
@@ -231,7 +231,7 @@ impl<'a> Phong<'a> {
             light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
             light.crosses = crosses.to_bitmask();
-            light.by_square = to_light.squares();
+            light.by_square = to_light.single();
             light.doubt = four!(|square| doubt.as_array()[square] as f32);
             self.shines |= light.shines;
         }
@@ -245,8 +245,7 @@ impl<'a> Phong<'a> {
     #[inline(always)]
     pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
-        let vector =
-            inlined!(|of: &[[[f32; 4]; 3]; 3]| { three!(|axis| at.affine(&of[axis], xy)) });
+        let vector = inlined!(|of: &[Affine4; 3]| three!(|axis| at.affine(&of[axis], xy)));
         let unit = inlined!(|vector: [f32x16<S>; 3]| {
             let inverse = 1.0 / dot(&vector, &vector).sqrt();
             three!(|axis| vector[axis] * inverse)
