@@ -5,7 +5,7 @@ use hecs::World;
 use shadetrade::components::{Projection, Transform, View, WorldTransform};
 use shadetrade::systems::spin;
 
-use super::{ahead, at, empty_frame, place, read, turned};
+use super::{ahead, at, empty_frame, place, read};
 use crate::support::random::Random;
 use crate::support::scene;
 
@@ -20,17 +20,6 @@ fn run(transform: Transform, degrees: u32) -> WorldTransform {
     spin::run(&mut world, &view, &mut empty_frame());
     assert_eq!(read::<Transform>(&world, cuboid), transform);
     read(&world, cuboid)
-}
-
-#[test]
-fn a_quarter_turn_takes_y_to_z_and_leaves_the_own_x_axis() {
-    let placed = run(at(DVec3::splat(5.0)), 90);
-    let expected = DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y);
-    assert_eq!(placed.position, DVec3::splat(5.0));
-    assert_eq!(placed.axes, expected);
-    // Turned by 90 degrees about z first, the cuboid's own x axis is the world's y axis.
-    let expected = DMat3::from_cols(DVec3::Y, DVec3::Z, DVec3::X);
-    assert_eq!(run(turned(DVec3::Z * 90.0), 90).axes, expected);
 }
 
 #[test]
