@@ -185,8 +185,9 @@ pub fn write_numbered(
     folder: &Path,
     name: impl Fn(u32) -> String,
     content: &[u8],
-) -> io::Result<PathBuf> {
-    let mut file = temporary_file(folder, content)?;
+) -> anyhow::Result<PathBuf> {
+    let cannot = || format!("cannot write {}", folder.join(name(1)).display());
+    let mut file = temporary_file(folder, content).with_context(cannot)?;
     let mut number = 1;
     loop {
         let path = folder.join(name(number));
@@ -194,7 +195,7 @@ pub fn write_numbered(
         match file.persist_noclobber(&path) {
             Ok(_) => return Ok(path),
             Err(taken) if taken.error.kind() == ErrorKind::AlreadyExists => file = taken.file,
-            Err(other) => return Err(other.error),
+            Err(other) => return Err(other.error).with_context(cannot),
         }
         number += 1;
     }

@@ -36,11 +36,17 @@ pub mod widgets;
 use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use egui::{Key, RawInput};
+#[cfg(unix)]
+use signal_hook::{
+    consts::{SIGHUP, SIGINT, SIGTERM},
+    flag,
+};
 
 use crate::drawing::Drawing;
 use crate::output;
@@ -86,7 +92,16 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
-    while display.window.is_open() && !app.quits {
+    let ends = Arc::new(AtomicBool::new(false));
+    end_on_signals(&ends)?;
+    loop {
+        let must_end = !display.window.is_open() || ends.load(Ordering::Relaxed);
+        if app.quits || must_end {
+            if player.is_some() || app.may_close(must_end)? {
+                return Ok(());
+            }
+            due = Duration::ZERO;
+        }
         // A recording has milliseconds.
         let now = Duration::from_millis(start.elapsed().as_millis() as u64);
         let has_events = !display.input.events.is_empty();
@@ -140,10 +155,15 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
             thread::sleep(pause.min(due.saturating_sub(now)));
         }
     }
-    if player.is_none()
-        && let Some(told) = app.rescue()?
-    {
-        output::say(&told);
+}
+
+/// Sets `ends` when the system asks the program to end. Asked again, it ends at once.
+fn end_on_signals(ends: &Arc<AtomicBool>) -> anyhow::Result<()> {
+    #[cfg(unix)]
+    for signal in [SIGHUP, SIGINT, SIGTERM] {
+        flag::register_conditional_shutdown(signal, 1, Arc::clone(ends))
+            .and_then(|_| flag::register(signal, Arc::clone(ends)))
+            .context("cannot wait for signals")?;
     }
     Ok(())
 }

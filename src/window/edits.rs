@@ -10,7 +10,7 @@ use super::app::App;
 use super::facts::Facts;
 use super::file::SceneFile;
 use super::history::history;
-use crate::output::quoted;
+use crate::output::{self, quoted};
 use crate::scene::{CameraRecord, Scene, SceneRecord};
 
 impl App {
@@ -49,6 +49,28 @@ impl App {
         let path = path.context("the changes that were not saved cannot be written to a file")?;
         let told = format!("the changes that were not saved are in {}", path.display());
         Ok(Some(told))
+    }
+
+    /// Writes unsaved edits into a new file before the window closes, and tells its path. If that fails, the window stays
+    /// unless it `must` close.
+    ///
+    /// # Errors
+    /// If it must close and the file cannot be written.
+    pub fn may_close(&mut self, must: bool) -> anyhow::Result<bool> {
+        match self.rescue() {
+            Ok(told) => {
+                if let Some(told) = told {
+                    output::say(&told);
+                }
+                Ok(true)
+            }
+            Err(error) if must => Err(error),
+            Err(error) => {
+                self.quits = false;
+                self.say(format!("not closed: {error:#}"));
+                Ok(false)
+            }
+        }
     }
 
     /// Shows the scene that the user chose; edits of the one before go into a file.

@@ -1,7 +1,6 @@
 //! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
@@ -110,7 +109,7 @@ impl SceneFile {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn rescue(&self, scene: &Scene, folder: &Path) -> io::Result<PathBuf> {
+    pub fn rescue(&self, scene: &Scene, folder: &Path) -> anyhow::Result<PathBuf> {
         let text = scene::updated(&scene.text, &SceneRecord::of(&scene.world));
         let name = Path::new(&self.new_name);
         let stem = stem(scene.path.as_deref().unwrap_or(name));
@@ -125,7 +124,7 @@ fn stem(path: &Path) -> String {
 }
 
 /// Writes `NAME.toml`, or `NAME-2.toml` and so on where that exists.
-fn write_new(folder: &Path, stem: &str, text: &str) -> io::Result<PathBuf> {
+fn write_new(folder: &Path, stem: &str, text: &str) -> anyhow::Result<PathBuf> {
     let name = |number| match number {
         1 => format!("{stem}.toml"),
         _ => format!("{stem}-{number}.toml"),

@@ -147,10 +147,10 @@ impl App {
     /// Writes the window as it is seen into a new PNG file.
     pub(super) fn screenshot(&mut self) {
         let name = |number| format!("shadetrade-{number:03}.png");
-        let encoded = encode_png(&self.pixels, self.size);
+        let encoded = encode_png(&self.pixels, self.size).map_err(anyhow::Error::from);
         match encoded.and_then(|file| write_numbered(&self.folder, name, &file)) {
             Ok(path) => self.say(format!("saved {}", path.display())),
-            Err(error) => self.say(format!("no picture saved: {error}")),
+            Err(error) => self.say(format!("no picture saved: {error:#}")),
         }
     }
 }

@@ -137,7 +137,7 @@ fn no_tap_of_a_key_is_lost() {
 #[test]
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
 fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
-    for way in ["q", "alt+F4"] {
+    for way in ["q", "alt+F4", "signal"] {
         let mut program = Program::open(&[], &[]);
         let folder = program.folder.path().to_path_buf();
         program.start_window_manager();
@@ -153,7 +153,11 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         let copy = *places(&harness, "copy").last().expect("a button");
         program.click([copy.x as i32, copy.y as i32]);
         until("a star", || program.title().contains('*'));
-        program.press(way);
+        if way == "signal" {
+            program.signal("TERM");
+        } else {
+            program.press(way);
+        }
         assert!(program.ended().success(), "{way}");
         assert!(folder.join("cuboid-unsaved.toml").exists(), "{way}");
     }

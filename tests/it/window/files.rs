@@ -151,6 +151,12 @@ fn unsaved_edits_are_rescued_into_a_new_file() {
         assert_eq!(read(&window.folder.path().join(name)), window.record());
     }
     assert_ne!(read(&path), window.record());
+    // The window stays open if it may.
+    window.app.folder = path.join("no folder");
+    window.press(Key::Q);
+    assert!(!window.app.may_close(false).expect("it stays") && !window.app.quits);
+    assert!(window.message().contains("not closed"));
+    assert!(window.app.may_close(true).is_err());
 }
 
 #[test]
