@@ -12,7 +12,7 @@ use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points
 
 use super::app::App;
 use super::keys::{Action, caption};
-use super::widgets::{GOURAUD, PHONG, STALE, ink, mode_ink, rounded, short, still};
+use super::widgets::{GOURAUD, PHONG, STALE, ink, mode_ink, rounded, short};
 use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
@@ -68,13 +68,19 @@ impl App {
             axes = axes.include_x(-1.0).include_x(1.0);
         }
         let budget = self.viewer().budget;
-        let shown = axes.show(ui, |plot| {
-            draw(plot, &known, is_current);
-            if let Some(budget) = budget {
-                let [time, _] = logarithms(budget, 1.0);
-                plot.vline(VLine::new("budget", time).color(Color32::WHITE));
-            }
+        let shown = ui.scope(|ui| {
+            // The keyboard's focus goes to the dots, not to the axes.
+            ui.visuals_mut().disabled_alpha = 1.0;
+            ui.disable();
+            axes.show(ui, |plot| {
+                draw(plot, &known, is_current);
+                if let Some(budget) = budget {
+                    let [time, _] = logarithms(budget, 1.0);
+                    plot.vline(VLine::new("budget", time).color(Color32::WHITE));
+                }
+            })
         });
+        let shown = shown.inner;
         let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
         let write = |at: Pos2, align: Align2, text: &str, ink: Color32| {
             let letters = FontId::proportional(10.0);
@@ -164,7 +170,7 @@ fn axes() -> Plot<'static> {
     let plot = plot.x_axis_formatter(words).y_axis_formatter(words);
     let plot = plot.include_y(FLOOR.log10()).include_y(MOST.log10());
     let plot = plot.grid_color(Color32::from_gray(58));
-    still(plot.show_crosshair(false).y_axis_min_width(34.0))
+    plot.show_crosshair(false).y_axis_min_width(34.0)
 }
 
 /// Draws the band of visible errors, the staircase of best trades, and the dots and whiskers of the methods.

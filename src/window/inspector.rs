@@ -5,11 +5,11 @@ mod scene;
 
 use std::iter;
 
-use egui::{Grid, ProgressBar, ScrollArea, Ui};
+use egui::{Grid, ProgressBar, Ui};
 
 use super::app::App;
 use super::facts::Latest;
-use super::widgets::{ink, short};
+use super::widgets::{ink, scrolled, short};
 use crate::components::Tab;
 use crate::requires::PartChange;
 
@@ -47,8 +47,7 @@ impl App {
             self.viewer_mut().inspector = next;
         }
         ui.separator();
-        let scroll = ScrollArea::both().auto_shrink(false).id_salt(tab);
-        scroll.show(ui, |ui| match tab {
+        scrolled(ui, tab, |ui| match tab {
             Tab::Pixel => self.pixel_tab(ui),
             Tab::Scene => self.scene_tab(ui),
             Tab::Required => self.required_tab(ui),

@@ -9,7 +9,7 @@ use egui::{
 
 use super::app::App;
 use super::keys::{BINDINGS, Binding, caption_of};
-use super::widgets::{BAD, GOOD, INK, STALE, short};
+use super::widgets::{BAD, GOOD, INK, STALE, scrolled, short};
 use crate::components::{Side, Tab, ViewMode};
 use crate::shading::Method;
 use crate::trade::verdict::method_name;
@@ -49,10 +49,8 @@ impl App {
                 .size_range(LEAST.min(usual)..=most)
         };
         if has_panel {
-            side(Panel::left(id("panel"))).show_inside(ui, |ui| {
-                let scroll = ScrollArea::both().auto_shrink(false);
-                scroll.show(ui, |ui| self.panel(ui));
-            });
+            let panel = side(Panel::left(id("panel")));
+            panel.show_inside(ui, |ui| scrolled(ui, "panel", |ui| self.panel(ui)));
         } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
             self.fold_panel();
         }

@@ -1,9 +1,11 @@
 //! The look of the panels, one text size, calm colours, no animations; and widgets and numbers that several of them share.
 
+use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::{
-    Align2, Color32, Context, DragValue, FontId, Pos2, Response, Slider, TextStyle, Theme, Ui, vec2,
+    Align2, Color32, Context, DragValue, FontId, Pos2, Response, ScrollArea, Slider, TextStyle,
+    Theme, Ui, vec2,
 };
 use egui_plot::Plot;
 use glam::DVec3;
@@ -133,6 +135,21 @@ pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Co
     let ground = Color32::from_black_alpha(170);
     painter.rect_filled(place.expand2(vec2(4.0, 2.0)), 3.0, ground);
     painter.galley(place.min, text, ink);
+}
+
+/// Lays out widgets in the room that is left. It scrolls, also to the widget that has just got the keyboard's focus.
+pub fn scrolled(ui: &mut Ui, name: impl Hash, widgets: impl FnOnce(&mut Ui)) {
+    let scroll = ScrollArea::both().auto_shrink(false).id_salt(name);
+    scroll.show(ui, |ui| {
+        widgets(ui);
+        let focused = ui.memory(egui::Memory::focused);
+        let found = focused.and_then(|id| ui.ctx().read_response(id));
+        let columns = ui.min_rect().x_range();
+        let is_here = |it: &Response| columns.contains(it.rect.center().x);
+        if let Some(found) = found.filter(|it| it.gained_focus() && is_here(it)) {
+            ui.scroll_to_rect(found.rect, None);
+        }
+    });
 }
 
 /// A plot that the mouse does not move.

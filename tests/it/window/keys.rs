@@ -1,5 +1,7 @@
 //! Every key binding, by its action.
 
+use std::collections::HashSet;
+
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
@@ -7,7 +9,8 @@ use shadetrade::components::{Orbit, Projection, ShadingMode, Side, Tab, ViewMode
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::keys::{self, Action};
 
-use super::{PAUSE, SIZE, Window};
+use super::trade::app_with_trade;
+use super::{PAUSE, SIZE, Window, press};
 use crate::support::window::{default_scene, widgets};
 
 /// The smallest size that opens with the panel.
@@ -168,6 +171,23 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     window.click(field);
     window.press(Key::Escape);
     assert_eq!(window.app.viewer().inspector, Some(Tab::Scene));
+}
+
+#[test]
+fn tab_goes_through_the_widgets_and_scrolls_to_each() {
+    let size = [800, 400];
+    let mut harness = widgets(app_with_trade(size), size);
+    let mut seen = HashSet::new();
+    for _ in 0..40 {
+        press(&mut harness, Key::Tab);
+        let id = harness.ctx.memory(egui::Memory::focused);
+        let widget = id.and_then(|id| harness.ctx.read_response(id));
+        let widget = widget.expect("a widget has the focus");
+        let rows = widget.rect.y_range();
+        assert!(rows.min > 0.0 && rows.max < size[1] as f32, "{rows:?}");
+        seen.insert(widget.id);
+    }
+    assert!(seen.len() > 35, "{}", seen.len());
 }
 
 #[test]
