@@ -101,7 +101,11 @@ impl App {
         let mut fact = |text: String, ink: Color32, is_current: bool, says: &str| {
             let ink = if is_current { ink } else { STALE };
             ui.separator();
-            ui.label(RichText::new(text).color(ink)).on_hover_text(says)
+            let mut label = Label::new(RichText::new(text).color(ink));
+            if says == ERROR {
+                label = label.sense(Sense::click());
+            }
+            ui.add(label).on_hover_text(says)
         };
         let mut is_clicked = false;
         if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
@@ -111,8 +115,7 @@ impl App {
         let comparison = &self.facts.comparison;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
             let text = format!("{} levels off exact Phong", short(error));
-            let error = fact(text, INK, comparison.is_current, ERROR);
-            is_clicked = error.interact(Sense::click()).clicked();
+            is_clicked = fact(text, INK, comparison.is_current, ERROR).clicked();
         }
         if let Some(it) = self.facts.proof.current() {
             let pixels = it.proven + it.refuted + it.undecided;
@@ -135,7 +138,7 @@ impl App {
         let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
             ui.set_width(room.x.min(540.0));
             ui.heading("Keys");
-            ui.weak("H or Esc closes this. Most things have a tooltip.");
+            ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
             ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
             ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
             ui.weak("the discs of lights can be dragged, too; with Shift in depth.");

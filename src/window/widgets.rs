@@ -146,7 +146,9 @@ pub fn scrolled(ui: &mut Ui, name: impl Hash, widgets: impl FnOnce(&mut Ui)) {
         let found = focused.and_then(|id| ui.ctx().read_response(id));
         let columns = ui.min_rect().x_range();
         let is_here = |it: &Response| columns.contains(it.rect.center().x);
-        if let Some(found) = found.filter(|it| it.gained_focus() && is_here(it)) {
+        let is_cut = |it: &Response| it.interact_rect != it.rect;
+        let found = found.filter(|it| it.gained_focus() && is_here(it) && is_cut(it));
+        if let Some(found) = found {
             ui.scroll_to_rect(found.rect, None);
         }
     });

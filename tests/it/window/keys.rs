@@ -7,6 +7,7 @@ use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use shadetrade::components::{Orbit, Projection, ShadingMode, Side, Tab, ViewMode};
 use shadetrade::scene::SceneRecord;
+use shadetrade::window::comparison::Comparison;
 use shadetrade::window::keys::{self, Action};
 
 use super::trade::app_with_trade;
@@ -176,7 +177,12 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
 #[test]
 fn tab_goes_through_the_widgets_and_scrolls_to_each() {
     let size = [800, 400];
-    let mut harness = widgets(app_with_trade(size), size);
+    let mut app = app_with_trade(size);
+    app.facts.comparison.finish(Some(Comparison {
+        error: Some(165.0),
+        ..Comparison::default()
+    }));
+    let mut harness = widgets(app, size);
     let mut seen = HashSet::new();
     for _ in 0..40 {
         press(&mut harness, Key::Tab);
