@@ -94,26 +94,27 @@
 //!
 //! # What a tolerance buys
 //!
-//! Most pixels do not need the formula. A square is certified by nine samples and a bound ([`shading::bound`] derives it):
-//! the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
-//! derivatives and so the interpolation error. Terms that fit into the rest of the tolerance are dropped
-//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters if
-//! their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel.
+//! Most pixels do not need the formula. A bound proves that nine samples suffice for a square ([`shading::bound`] derives
+//! it): the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
+//! derivatives and so the interpolation error. The polynomial's terms are dropped if the rest of the tolerance allows it
+//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels may be cut into quarters:
+//! if their bounds may suffice, or if f32 is too coarse. All other squares are evaluated pixel by pixel.
 //! [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
 //!
-//! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at the
-//! vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
+//! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at
+//! the vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
 //!
 //! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At
 //! tolerance 0 the model is evaluated at every pixel; highlights are left out only if all of them together are proven to
-//! stay below 1/80 level. 1 - o.r is computed as |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon
-//! 1993; [`shading::specular`]).
+//! stay below 1/80 level, a quarter of the 0.05 that tolerance 0 permits. 1 - o.r is computed as |r - o|² / 2, because 1 -
+//! o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
 //!
-//! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and shares
-//! no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]). [`trade`]
-//! compares methods with it in f64 and measures their times: [`trade::metrics`] has the errors, and [`trade::flip`]
-//! estimates the difference that a person sees (Andersson et al. 2020). In intervals with outward rounding it encloses the
-//! exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the drawn picture with that.
+//! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and
+//! shares no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]).
+//! [`trade`] compares methods with it in f64 and measures their times: [`trade::metrics`] has the errors, and
+//! [`trade::flip`] estimates the difference that a person sees (Andersson et al. 2020). In intervals with outward rounding
+//! it encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the drawn picture with
+//! that.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};
@@ -131,7 +132,7 @@
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::prove::prove;
 //!
-//! // The same, proven: each pixel is within half a level of every value of an enclosure of its exact levels.
+//! // The same, proven: an interval encloses each exact level, and the drawn level is within half a level of all of it.
 //! let level = fearless_simd::Level::new();
 //! let proof = prove(&mut scene.world, &view, None, level, Monitor::NONE)?;
 //! assert_eq!(proof.proven, 320 * 240);
@@ -146,9 +147,10 @@
 //!
 //! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
 //! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
-//! pixel of them, and compares levels with those that are known on paper. Its charts ([`extremes::stability`]) sweep one number at
-//! a time and show where f32 and f64 exceed the tolerance. All is computed from differences to the eye, and no threshold is an
-//! absolute length: a scene that is moved, or scaled by a power of two, without a rounding has the same bits.
+//! pixel of them, and compares levels with those that are known on paper. Its charts ([`extremes::stability`]) sweep one
+//! number at a time and show where f32 and f64 exceed the tolerance. All is computed from differences to the eye, and no
+//! threshold is an absolute length: a scene that is moved, or scaled by a power of two, has the same bits if no number of
+//! it is rounded.
 //!
 //! # What to touch to add ...
 //!
@@ -185,9 +187,10 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
-//! takes components, [`memory`], [`report::progress`] and [`frame::NO_TRIANGLE`], never a formula of the renderer's; [`report`]
-//! imports no module of this crate; [`cli`] imports what options are converted and checked with; minifb is named in [`window`] alone, and
-//! egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map of [`trade`].
+//! takes components, [`memory`], [`report::progress`] and [`frame::NO_TRIANGLE`], never a formula of the renderer's;
+//! [`report`] imports no module of this crate; [`cli`] imports what it needs to convert and check options; minifb is named
+//! in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map
+//! of [`trade`].
 //!
 //! # What is not modelled, and why
 //!

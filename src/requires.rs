@@ -12,7 +12,7 @@
 //!
 //! A part is not required if the picture without it is proven to keep the tolerance. Near an edge or a tied gate a pixel may
 //! show one of several colours. Both pictures are taken to make the same choice: a colour of one is compared with the nearest
-//! colour of the same face in the other. If the other cannot show that face, it is compared with all of its colours.
+//! colour of the same face in the other. If the other cannot show that face, the colour is compared with all of its colours.
 //!
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 
@@ -212,7 +212,7 @@ pub struct PartChange {
     pub change: Change,
     /// The part's share of a frame's time, if that was measured.
     pub time_share: Option<f64>,
-    /// Whether the picture without it is not proven to keep the tolerance.
+    /// False if the picture without it is proven to keep the tolerance.
     pub required: bool,
 }
 
@@ -238,7 +238,7 @@ pub fn part_changes(
     Ok(parts.into_iter().zip(changes).map(part_change).collect())
 }
 
-/// The part first whose absence causes the largest error.
+/// Sorts the parts by their errors, the largest first.
 pub fn ranked(mut parts: Vec<PartChange>) -> Vec<PartChange> {
     parts.sort_by(|one, other| other.change.most().total_cmp(&one.change.most()));
     parts
@@ -279,8 +279,9 @@ fn rows<R: Real + 'static>(picture: Reference<R>) -> PixelRows {
     })
 }
 
-/// The lower and the upper bound of a pixel's error, from the surfaces that it may show in the full picture and without
-/// a part. A picture in floats (`is_enclosed` false) shows one surface, so only that one is compared.
+/// The lower and the upper bound of a pixel's error. `full` and `without` are the surfaces that it may show in the full
+/// picture and in the one without a part. A picture in floats (`is_enclosed` false) shows one surface, so only that one is
+/// compared.
 fn error(full: &[FaceLevels], without: &[FaceLevels], is_enclosed: bool) -> [f64; 2] {
     let mut error = [f64::INFINITY, 0.0_f64];
     let mut compare = |pixel: &[FaceLevels], other: &[FaceLevels]| {

@@ -14,18 +14,28 @@
 //!         evaluate the model at every pixel, in f32 where its rounding error keeps the tolerance, else in f64
 //!         evaluate a pixel again in f64 if f32 cannot decide the sign of n.l, or if |s| < 1/256 and 0 < rho < 1
 //! ```
+//! A polynomial is drawn only if this holds in each channel, in levels; each term is bounded in the file beside it:
+//!
+//! ```text
+//! tolerance >=   sum over diffuse lights of the interpolation error of n.l                 bound
+//!              + sum over the highlights drawn of the interpolation error of s^rho         bound
+//!              + sum over the highlights left out of their largest s^rho                   bound, phong
+//!              + 25/9 of the rounding error of a sample                                    rounding, interpolation
+//!              + the rounding error of a row, and the polynomial's terms that are left out  interpolation
+//! ```
 //! [`phong`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
 //! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
 //! cuts faces into squares.
 //!
-//! Terms: a *node* is one of the nine points of a square at which the model is sampled. A *terminator* is a line on which n.l
-//! of a light is 0. A *highlight* is the term of a light with s^rho, s = o.r. A *sliver* is a face so thin on the screen that
-//! the centre of a covered pixel may lie outside it by more than 1/128 of its size. The cause is snapping, which moves a vertex
-//! by up to 1/512 pixel along each axis. Such a pixel shows the nearest point of the face, or its far end.
+//! Terms: a *node* is one of the nine points of a square at which the model is sampled. A *terminator* is a line on which
+//! n.l of a light is 0. A *highlight* is the term of a light with s^rho, s = o.r. A *sliver* is a face so thin on the
+//! screen that the centre of a covered pixel may lie outside it by more than 1/128 of its size. The cause is snapping,
+//! which moves a vertex by up to 1/512 pixel along each axis. Such a pixel shows the nearest point of the face, or the far
+//! end if its line of sight passes beyond that.
 //!
-//! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the tolerance.
-//! The tolerance holds for levels before they are rounded to bytes. The bounds do not count roundings of f64: docs/limits.md says
-//! where these exceed a tolerance.
+//! A face is set up in f64 from unsnapped corners. f32 is used only where its rounding error is bounded below the
+//! tolerance. The tolerance holds for levels before they are rounded to bytes. The bounds do not count roundings of f64:
+//! docs/limits.md says where these exceed a tolerance.
 
 pub mod affine;
 pub mod bound;
@@ -116,8 +126,8 @@ pub struct Counts {
     pub model_evaluations: u64,
     /// Evaluations of a specular power.
     pub specular_evaluations: u64,
-    /// Squares drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in which
-    /// a pixel of it is seen, since the strips of a frame may belong to different threads.
+    /// Squares drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in
+    /// which a pixel of it is seen, since the strips of a frame may belong to different threads.
     #[serde(skip)]
     pub tiles: [u64; TileKind::ALL.len()],
 }

@@ -16,7 +16,7 @@
 //! power                      2^(rho log2(o.r))
 //! sum                        sum of levels * factor          (Gouraud: and a I1 + b I2 + c I3)
 //! ```
-//! The error of a pixel is the upper bound of the distance from its enclosure. More bits do not always have a smaller
+//! The error of a pixel is the largest distance from any value of its enclosure. More bits do not always have a smaller
 //! error. The fewest bits are the least b for which b, b + 1, ..., 24 bits all keep the tolerance.
 
 use std::array::from_fn;
@@ -81,8 +81,8 @@ impl Format {
         named.chain(of_bits).collect()
     }
 
-    /// Rounds to nearest, ties to even. A number beyond the largest becomes infinite. The result of an operation is rounded to
-    /// f64 first, which changes the second rounding only within 2^-53 of a tie (Figueroa 1995).
+    /// Rounds to nearest, ties to even. A number beyond the largest becomes infinite. The result of an operation is rounded
+    /// twice, first to f64. This matters only within 2^-53 of a tie (Figueroa 1995).
     pub fn round(self, value: f64) -> f64 {
         /// 1.5 * 2^52: a smaller number added to it is rounded to an integer.
         const INTEGERS: f64 = 6_755_399_441_055_744.0;
@@ -102,7 +102,7 @@ impl Format {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StageBits {
     pub stage: &'static str,
-    /// The fewest bits from which on all numbers up to 24 keep the tolerance; `None` if 24 do not.
+    /// The least number of bits that keeps the tolerance, as do all larger ones up to 24; `None` if 24 do not.
     pub bits: Option<usize>,
     /// The largest error with this number of bits, or with 24.
     pub largest_error: f64,

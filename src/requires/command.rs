@@ -115,7 +115,7 @@ fn table(rows: &[PartChange]) -> String {
 }
 
 /// Writes a scene without parts that it does not require. Only parts that a scene file can leave out are tried, each once,
-/// the part with the least error first: another order may leave out more.
+/// the part with the least error first. Another order might leave out more.
 fn write_least(
     subject: &str,
     scene: &Scene,
@@ -140,7 +140,7 @@ fn write_least(
     let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
     let mut record = SceneRecord::of(&without(scene, &left_out).world);
     record.keep_active_camera();
-    // What was proven, whether the scene had that tolerance or a budget.
+    // The file gets the tolerance that was proven, and no budget.
     (record.view.tolerance, record.view.budget) = (view.tolerance, None);
     let text = updated("", &record);
     output.write(format!("# {comments}\n\n{text}"))?;

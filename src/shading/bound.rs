@@ -6,25 +6,26 @@
 //! ```text
 //!   (M_x + M_y + 2/3 min(M_x, M_y)) / 24        M_x >= |d^3 f / dx^3| all over the square, x in units of h_x; M_y alike
 //! ```
-//! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolation in the
-//! other direction multiplies an error by at most 5/3, the Lebesgue constant of three nodes (Trefethen, "Approximation Theory and
+//! In one direction a quadratic through three Chebyshev nodes errs by M / (3! 2^2), and interpolation in the other
+//! direction multiplies an error by at most 5/3, the Lebesgue constant of three nodes (Trefethen, "Approximation Theory and
 //! Approximation Practice", chapters 6 and 15). With I_x and I_y the interpolations in one direction, f - I_x I_y f = (f -
-//! I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24; and as I_x I_y = I_y I_x, x and y may be
-//! exchanged.
+//! I_x f) + I_x (f - I_y f), so the error is at most (M_x + 5/3 M_y) / 24. x and y may be exchanged, because I_x I_y = I_y
+//! I_x. The smaller of the two bounds is the one above, because 5/3 = 1 + 2/3.
 //!
-//! **Third derivatives.** w N, w L and w O are affine in x and y, w > 0, and have the directions of N, L and O. Let V be one
-//! of them at any point of the square. A step t along x gives V + t V_x, in the plane of V and V_x. Take this plane as the
-//! complex plane and V on its real axis. Then V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose
-//! derivatives at t = 0 are Im(z), -Im(z^2) and 2 Im(z^3). With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has
-//! derivatives of length at most
+//! **Third derivatives.** Here N, L and O are the vectors n, l and o before they are normalised. w N, w L and w O are
+//! affine in x and y, w > 0, and have the directions of N, L and O. Let V be one of them at any point of the square. A step
+//! t along x gives V + t V_x, in the plane of V and V_x. Take this plane as the complex plane and V on its real axis. Then
+//! V(t) = |V| (1 + z t) with z = V_x / V. Its angle is Im log(1 + z t), whose derivatives at t = 0 are Im(z), -Im(z^2) and
+//! 2 Im(z^3). With p >= |Im z| and q >= |z|, the unit vector v = V / |V| has derivatives of length at most
 //!
 //! ```text
 //!   |v'|   = |Im z|                                  <= p
 //!   |v''|                                            <= min(2 p q, 2/sqrt(3) q^2)
 //!   |v'''| = 3 |Im z| sqrt(4 Re(z)^4 + Im(z)^4)      <= min(6 p q^2, 3 q^3)
 //! ```
-//! The half-turn about n, R = 2 n n^T - 1, turns by twice the angle of n, so its derivatives are at most 2 p, 4 p q and
-//! 12 p q^2. Leibniz' rule bounds the derivatives of the products n.l and r = R l, whose factors have length one.
+//! The half-turn about n, R = 2 n n^T - 1, turns by twice the angle of n. With twice the angle in the derivation above, its
+//! derivatives are at most 2 p, 4 p q and 12 p q^2. Leibniz' rule bounds the derivatives of the products n.l and r = R l,
+//! whose factors have length one.
 //!
 //! **The highlight.** Let theta be the angle between o and r, s = cos(theta), and e = r - o, whose length is
 //! c = 2 sin(theta/2). Then s = 1 - |e|^2 / 2, and
@@ -42,11 +43,12 @@
 //!   b = 3 rho |rho-1| s^(rho-2) sin(theta)      d = rho |rho-1| |rho-2| s^(rho-3) sin(theta)^3
 //! ```
 //! s^(rho-k) is bounded at the largest s if rho >= 3, else by s_max^rho / s_min^k. The sine is at most its value at the
-//! middle plus the turn of theta, because its slope is at most 1. c is the sine over cos(theta/2). Each product of a power and a
-//! sine is also bounded by its largest value at any angle.
+//! middle plus the turn of theta, because its slope is at most 1. c is the sine over cos(theta/2). Each product of a power
+//! and a sine is also bounded by its largest value at any angle.
 //!
 //! Where s <= 0 the highlight is zero, and so are its derivatives. For rho >= 3 its second derivative is Lipschitz
-//! continuous at s = 0; the error of a quadratic needs no more. For smaller rho a square where s may reach 0 has no bound.
+//! continuous at s = 0, and the error bound of a quadratic needs only that. For smaller rho a square where s may reach 0
+//! has no bound.
 //!
 //! `proofs/theorems` has Coq proofs of these theorems. `proofs/README.md` lists the steps that are done by hand.
 //!
@@ -64,7 +66,7 @@ use super::lanes::dot;
 use super::specular;
 use crate::simd::{three, two};
 
-/// asin(x) <= this x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
+/// asin(x) <= ARC x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Bounds on the lengths of the first three derivatives of a unit vector.
@@ -184,7 +186,7 @@ pub fn highlight_error<S: Simd>(
 ) -> f64x4<S> {
     let simd = power.token();
     let [first, second, third] = gloss.factors;
-    // s^(rho-k) <= most^rho / s^k, with the largest s for positive exponents and the least for all.
+    // s^(rho-k) <= most^rho / base^k. The base is the largest s if no exponent is negative, else the least.
     let base = if gloss.factors[0] >= 3.0 { most } else { least };
     let over = 1.0 / base;
     let [one, other] = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
@@ -229,8 +231,9 @@ pub fn power<S: Simd>(shininess: f32, most: f64x4<S>) -> f64x4<S> {
 
 /// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.
 ///
-/// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|, so
-/// its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x. Along y alike.
+/// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|,
+/// so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x. Along
+/// y alike.
 #[inline(always)]
 pub fn quotient_error<S: Simd>([a, b, c]: [f64x4<S>; 3], [e, g]: [f64x4<S>; 2]) -> f64x4<S> {
     let least = 1.0 - e.abs() - g.abs();

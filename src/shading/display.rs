@@ -22,9 +22,9 @@ pub fn display_pixel(levels: [f64; 3]) -> u32 {
 /// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
 const INTEGERS: f32 = 8_388_608.0;
 
-/// The display step of levels in f32. The low byte is the result, and the other bits are those of [`INTEGERS`]. Saturating casts
-/// would keep loops from being vectorised. The next larger float is rounded, so that halves are rounded up. The float just below
-/// a half becomes that half, so after an odd integer it is rounded up, too.
+/// The display step of levels in f32. The low byte is the result, and the other bits are those of [`INTEGERS`]. Saturating
+/// casts would keep loops from being vectorised. The next larger float is rounded, so that halves are rounded up. The float
+/// just below a half becomes that half, so after an odd integer it is rounded up, too (1.49999988 gives 2).
 #[inline(always)]
 pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
     let simd = level.token();

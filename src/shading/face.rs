@@ -164,7 +164,8 @@ impl<'a> Face<'a> {
         Affine::new((a + c) / 2.0, half(0), half(1))
     }
 
-    /// The value at a point of what has these values at the cuboid's eight corners and is linear on each triangle of the face.
+    /// The value at a point of what has these values at the cuboid's eight corners and is linear on each triangle of the
+    /// face.
     ///
     /// On an edge the weight of the corner opposite is exactly 0, so a very large value there does not round the others away.
     pub fn blend(&self, values: &[DVec3; 8], [u, v]: [f64; 2]) -> DVec3 {
@@ -176,9 +177,10 @@ impl<'a> Face<'a> {
 
     /// w times the vector to a light, whose position is given from the eye and from the cuboid's centre, in world units.
     ///
-    /// The affine part of w (L - O) - H d. The terms of second order vanish, because w and d change only where O and H do not.
-    /// Its component across the face is w times the light's height above the face. The height is computed from the nearer of
-    /// the two positions, so that a light one ulp above the face has a positive height.
+    /// The affine part of w (L - O) - H d. In perspective O and H are constant, in orthographic projection w and d are, so
+    /// there are no terms of second order. Its component across the face is w times the light's height above the face. The
+    /// height is computed from the nearer of the two positions, so that a light one ulp above the face has a positive
+    /// height.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
         // The rays start at the eye, or on the plane through it, so the centre of `from` is 0.
         let (from, d) = (&self.rays.start, &self.rays.direction);
@@ -201,10 +203,10 @@ impl<'a> Face<'a> {
         }
     }
 
-    /// Where w is larger than this the face is steady, that is, not a sliver: no centre of a covered pixel lies further outside
-    /// it than by [`OVERSHOOT`].
+    /// Where w is larger than this the face is steady, that is, not a sliver: no centre of a covered pixel lies further
+    /// outside it than by [`OVERSHOOT`].
     pub fn least_steady(&self) -> f64 {
-        // Snapping moves a vertex by at most 1/512 pixel, and u and v are 2 apart on a face.
+        // Snapping moves a vertex by at most 1/512 pixel, and a face is 2 wide in u and in v.
         self.uv_gradient / (2.0 * 512.0 * OVERSHOOT)
     }
 
@@ -228,9 +230,10 @@ impl<'a> Face<'a> {
 
     /// The point of the face that a line of sight beside it shows.
     ///
-    /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye. As the line of
-    /// sight turns towards the plane, w grows and the point moves from infinity to the foot. Snapping may show a pixel whose
-    /// line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far end.
+    /// In perspective u w is `foot` w + `step`, where `foot` is u of the point of the plane nearest to the eye. As the line
+    /// of sight turns towards the plane, w grows and the point moves from infinity to the foot. Snapping may show a pixel
+    /// whose line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far
+    /// end.
     fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
         let (uvw, w) = (self.uvw.at(x, y), &self.w);
         let along = self.rays.direction.at(x, y) * self.height.at(x, y);
@@ -256,8 +259,8 @@ impl<'a> Face<'a> {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
     }
 
-    /// Whether N.L < 0 between the normal at any corner and the vector from any corner to a light, whose position is given from
-    /// the eye.
+    /// Whether N.L < 0 between the normal at any corner and the vector from any corner to a light, whose position is given
+    /// from the eye.
     ///
     /// N and L are combinations, with weights that are nowhere negative, of their values at the corners of a face that is
     /// larger by the overshoot of pixels, so N.L < 0 at every pixel.

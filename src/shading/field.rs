@@ -86,7 +86,7 @@ impl<S: Simd> Field<S> {
         // Only changes along the middle make it shorter.
         let shortest = 1.0 - along[0].abs() - along[1].abs();
         let inverse = 1.0 / shortest;
-        // |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
+        // For p: (V + y V_y) x V_x = V x V_x + y V_y x V_x, over the least |V|^2; |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
         let rates = inlined!(|along: f64x4<S>, length: f64x4<S>| {
             let cross = positive(length * length - along * along).sqrt() + parallelogram;
             let q = length * inverse;

@@ -1,5 +1,5 @@
-//! The constants of a material's highlights, which are the same in every square: how faint a highlight must be to be left out,
-//! and how much s^rho enlarges a rounding error.
+//! The constants of a material's highlights, which are the same in every square: how faint a highlight must be to be left
+//! out, and how much s^rho enlarges a rounding error.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4};
@@ -20,7 +20,7 @@ const DOUBT: f64 = 1.0 / 256.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
     pub material: Material,
-    /// Above 0 where the material's is: 0^0 = 1, and the power of a negative s is 0.
+    /// Above 0 where the material's is, because for rho = 0 the power of an s <= 0 is 1, else 0.
     pub shininess: f32,
     /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.
     pub(super) factors: [f64; 3],
@@ -32,7 +32,7 @@ pub struct Gloss {
     pub faint: f64,
     /// Where |s| is smaller than this, its power is evaluated in f64.
     pub doubt: f32,
-    /// The steepest slope of s^rho in |r - o|, elsewhere.
+    /// The steepest slope of s^rho in |r - o|, where |s| is at least `doubt`.
     steepest: f64,
 }
 
@@ -50,7 +50,7 @@ impl Gloss {
         } else if shininess == 0.0 {
             f64::NEG_INFINITY
         } else {
-            // Another libm may differ in the last bit, and then a picture may: only one machine's are the same bits.
+            // Another libm may differ in the last bit, so pictures may differ from machine to machine.
             (faint / brightest).powf(1.0 / shininess)
         };
         // The largest s^k sin^j: at tan^2 = j / k.
@@ -81,9 +81,9 @@ impl Gloss {
 
     /// The error of s^rho, in roundings, caused by an error of |r - o| in roundings and by four roundings of 1 - s.
     ///
-    /// If rho >= 1, a relative error e of 1 - s changes s^rho by at most e, because rho (1 - s) s^(rho - 1) <= 1. For a shininess
-    /// below 1, pixels with s < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the slope is at most
-    /// that at s = `DOUBT` / 2.
+    /// If rho >= 1, a relative error e of 1 - s changes s^rho by at most e, because rho (1 - s) s^(rho - 1) <= 1. For a
+    /// shininess below 1, pixels with s < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the
+    /// slope is at most that at s = `DOUBT` / 2.
     #[inline(always)]
     pub fn propagated<S: Simd>(&self, chord: f64x4<S>) -> f64x4<S> {
         /// sqrt(2) times this many roundings are less than half of [`DOUBT`].

@@ -1,8 +1,8 @@
 //! Gouraud shading of a face: vertex colours, interpolated perspective-correctly (Gouraud 1971; Heckbert and Moreton 1991).
 //!
-//! The colour is w C / w, both affine in the pixel; C comes from the corners of the pixel's own triangle alone. The quotient is
-//! interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel elsewhere; nodes and pixels
-//! are evaluated by the same lines.
+//! The colour is w C / w, both affine in the pixel; C comes from the corners of the pixel's own triangle alone. The
+//! quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel elsewhere;
+//! nodes and pixels are evaluated by the same lines.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
@@ -22,7 +22,8 @@ pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the pixel.
+    /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the
+    /// pixel.
     levels: &'a [DVec3; 8],
     colors: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
@@ -44,10 +45,10 @@ pub struct Gouraud<'a> {
 ///   division                           2     a reciprocal and a product
 ///   diagonal                       2 x 6     pixels on its wrong side, where the triangles differ by up to 2
 ///   all that over the smallest w     x 2     1/2
-///   display                            4     two at the size of a level; the byte may be that of the next float
+///   display                            4     two at the size of a level; the next larger float is rounded
 /// ```
-/// The triangles' w C differ by |[`Face::diagonal`]| times a constant, and it reaches its largest size on the square on either side of
-/// the diagonal, so where both are seen they differ by at most twice the largest there.
+/// The triangles' w C differ by |[`Face::diagonal`]| times a constant, and it reaches its largest size on the square on
+/// either side of the diagonal, so where both are seen they differ by at most twice the largest there.
 const ROUNDING: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {

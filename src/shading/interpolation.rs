@@ -6,9 +6,9 @@
 //! x and y run from -1 to 1 over the square. Quadratic terms are dropped if the rest of the tolerance allows it: x^2 is
 //! replaced by 1/2, the middle of its range, with an error of at most 1/2 (economization; Lanczos 1938).
 //!
-//! Values are multiples of 1/256 level if at least `FIXED` of the tolerance is left, no channel leaves 0 to 255 and no
-//! terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a frame of bench-close takes
-//! 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
+//! Values are multiples of 1/256 level if more than `FIXED` levels of the tolerance are left, no channel leaves
+//! `FIXED_RANGE` and no terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a
+//! frame of bench-close takes 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
@@ -22,7 +22,8 @@ use crate::simd::{four, three};
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
 
-/// The factor by which interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three nodes.
+/// The factor by which interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three
+/// nodes.
 pub const LEBESGUE: f64 = 25.0 / 9.0;
 
 /// The coefficients of the quadratic through samples at the nodes.
@@ -68,9 +69,9 @@ pub fn sampled<S: Simd>(
 ///   operation            count   why
 ///   x^2 y^2                9     its coefficient, and two for each power of x and of y
 ///   term that crosses      3     its coefficient, a product and a sum
-///   display                2     the byte may be that of the next float
+///   display                2     the display step rounds the next larger float
 /// ```
-/// and, as each rounding enlarges the errors before it, a thousandth: `proofs/rows.v`.
+/// A thousandth is added, because each rounding enlarges the errors before it (`proofs/rows.v`).
 pub(super) const ROUNDING: f64 = 14.001 * U;
 
 /// The error of multiples of 1/256 level: three roundings to the nearest multiple, `proofs/fixed.g`.
@@ -93,7 +94,8 @@ pub struct Interpolant<S: Simd> {
 }
 
 impl<S: Simd> Interpolant<S> {
-    /// The cheapest rows that stay within the budget: the rest of the tolerance. A square with nothing left has no kind.
+    /// Chooses the cheapest rows whose error is within the budget, which is what is left of the tolerance. The kind is `None`
+    /// if nothing is left.
     #[inline(always)]
     pub fn new(terms: [[[f64x4<S>; 3]; 3]; 4], crossing: [f64x4<S>; 3], budget: f64x4<S>) -> Self {
         let zero = f64x4::splat(budget.token(), 0.0);

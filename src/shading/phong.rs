@@ -6,12 +6,13 @@
 //!   its highlight is             drawn, or so faint that it is left out
 //!   levels                       ambient + sum of diffuse n.l + specular s^rho, where 1 - s = |r - o|^2 / 2
 //! ```
-//! The lights are classified once. If all errors together leave something of the tolerance, the square is interpolated through
-//! nine samples. Otherwise the same lights are evaluated at its pixels. Samples and pixels share one function, whose rounding
-//! errors [`super::rounding`] counts. For unit vectors 1 - s equals |r - o|^2 / 2, which loses no digits (Lyon 1993).
+//! The lights are classified once. If all errors together leave something of the tolerance, the square is interpolated
+//! through nine samples. Otherwise the same lights are evaluated at its pixels. Samples and pixels share one function,
+//! whose rounding errors [`super::rounding`] counts. For unit vectors 1 - s equals |r - o|^2 / 2, which loses no digits
+//! (Lyon 1993).
 //!
-//! f32 does not suffice where the sign of n.l is in doubt, because a highlight jumps there, and where |s| < 1/256 and
-//! 0 < rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
+//! f32 does not suffice where the sign of n.l is in doubt, because a highlight jumps there, and where |s| < 1/256 and 0 <
+//! rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
 //! again in f64. Without these marks the whole square would be evaluated in f64.
 //!
 //! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
@@ -33,8 +34,9 @@ use super::{U, bound, limit};
 use crate::components::{PointLight, Projection, unit};
 use crate::simd::{four, inlined, three};
 
-/// The quarters of a square are tried if at most this many lights have no bound on it. With more of them, a quarter hardly ever
-/// has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights, 480x360).
+/// The quarters of a square are tried if at most this many lights have no bound on it. With more of them, a quarter hardly
+/// ever has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights,
+/// 480x360).
 const UNSURE: f64 = 1.0;
 
 /// A point light on a face, and on the four squares prepared last.
@@ -51,7 +53,7 @@ pub struct FaceLight {
     reaches: Squares,
     /// Where its highlight is drawn.
     shines: Squares,
-    /// Where n.l may change its sign and its highlight is not drawn. An interpolated square may have one such light.
+    /// Where this is the only light whose n.l may change its sign. Its highlight is not drawn there.
     crosses: Squares,
     /// `towards`, scaled to length one at the middle of each square.
     by_square: [Affine4; 3],
@@ -165,8 +167,9 @@ impl<'a> Phong<'a> {
         highlights.all(|light| light.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
-    /// Classifies the lights on four squares. Returns the budget of each square, which is the tolerance minus all error bounds,
-    /// and at most 0 where an error has no bound. Also returns the set of squares whose quarters are worth trying.
+    /// Classifies the lights on four squares. Returns the budget of each square, which is the tolerance minus the errors of
+    /// interpolation, of missing highlights and of samples, and at most 0 where an error has no bound. Also returns the set
+    /// of squares whose quarters are worth trying.
     #[inline(always)]
     fn classify<S: Simd>(
         &mut self,
@@ -181,7 +184,7 @@ impl<'a> Phong<'a> {
         let none = mask64x4::splat(simd, false);
         let normal = Field::new(&self.normal, extents);
         let eye = Field::new(&self.face.rays.to_eye, extents);
-        // Pixels of a sliver are clamped to the face, one by one.
+        // A square with pixels that may be clamped to the face is not interpolated.
         let steady = least.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
         let mut budget = splat(self.tolerance);

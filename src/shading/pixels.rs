@@ -41,8 +41,8 @@ impl Default for Pixels {
 
 impl Pixels {
     /// Adds at most sixteen pixels side by side. The first is at `x`, `y` from the square's middle, and has this index. If
-    /// pixels were added one by one, frames at tolerance 0 would take 15 to 25 % more instructions, and 10,000 small cuboids 7 %
-    /// more time.
+    /// pixels were added one by one, frames at tolerance 0 would take 15 to 25 % more instructions, and 10,000 small
+    /// cuboids 7 % more time.
     #[inline(always)]
     pub fn extend<S: Simd>(&mut self, simd: S, [x, y]: [f32; 2], index: usize, count: usize) {
         // Lanes beyond the last pixel are overwritten by the next.

@@ -18,8 +18,8 @@ pub const CHORD: f64 = 50.0;
 /// The rounding errors of the levels at a pixel or node of four squares, in units of U. Rows of polynomials are counted in
 /// [`super::interpolation`].
 ///
-/// Let V = x a + (y b + c) with |c| = 1 and |x a| + |y b| <= r. The error of V is at most delta of the table. The error of its
-/// direction is at most delta / (1 - |c.a| - |c.b|), because |V| is at least that denominator.
+/// Let V = x a + (y b + c) with |c| = 1 and |x a| + |y b| <= r. The error of V is at most delta of the table. The error of
+/// its direction is at most delta / (1 - |c.a| - |c.b|), because |V| is at least that denominator.
 ///
 /// ```text
 ///   operation                   count       why
@@ -39,7 +39,7 @@ pub const CHORD: f64 = 50.0;
 ///   1 - s                       4           the square 3, 1 spare
 ///   s^rho                       6           proofs/power.v; Gloss propagates the errors of |r - o| and 1 - s
 ///   sum                         2 + terms   coefficient and product of each term, and each sum, at the largest sum
-///   display                     3           stored in f32; the byte may be that of the next float
+///   display                     3           stored in f32; the display step rounds the next larger float
 /// ```
 /// The rounding of f64 in the vectors at the middle is not counted. Very far from the cuboid it can exceed the tolerance, for
 /// example with a shininess of 1e5 and a tolerance of 1e-4, if the eye is more than 1e7 sizes away.

@@ -25,8 +25,9 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for evaluation. Returns their interpolant, and the squares whose quarters are worth trying. There is
-    /// no interpolant if `interpolate` is false, the method is exact, or the bounds of Phong exceed the tolerance on all four.
+    /// Prepares four squares for evaluation. Returns their interpolant, and the squares whose quarters are worth trying.
+    /// There is no interpolant if `interpolate` is false, the method is exact, or the bounds of Phong exceed the tolerance
+    /// on all four.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &mut self,
@@ -51,8 +52,8 @@ impl Shader<'_> {
         }
     }
 
-    /// Evaluates the listed pixels of the square at `index` of those prepared last: in f32 where that keeps the tolerance, else
-    /// in f64.
+    /// Evaluates the listed pixels of the square at `index` of those prepared last: in f32 where that keeps the tolerance,
+    /// else in f64.
     pub fn evaluate<S: Simd>(&self, simd: S, square: &Square, index: usize, pixels: &mut Pixels) {
         let in_f32 = self.in_f32(index);
         if in_f32 {

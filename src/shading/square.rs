@@ -30,7 +30,7 @@ impl Spans<'_> {
         self.first..self.first + self.from.len()
     }
 
-    /// The columns in which any pixel is covered on some rows of the picture, and those that are covered on each of these rows.
+    /// Of these rows of the picture: the columns covered in at least one, and the columns covered in each.
     /// Both may be empty.
     pub fn columns(&self, rows: Range<usize>) -> (Range<usize>, Range<usize>) {
         let outer = Square::bounded(self, rows.clone(), [0, i32::MAX]);
@@ -106,8 +106,8 @@ impl Square {
         })
     }
 
-    /// A square that is covered all over. Compared with [`Square::new`] for all squares, frames of bench-close take 5 % less time
-    /// (Phong, tolerance 0.5, one thread).
+    /// A square that is covered all over. Compared with [`Square::new`] for all squares, frames of bench-close take 5 %
+    /// less time (Phong, tolerance 0.5, one thread).
     #[inline(always)]
     pub fn whole(corner: [usize; 2], side: usize) -> Self {
         Square {
@@ -206,7 +206,7 @@ impl Square {
     }
 
     /// From the middle to the outermost covered pixel centres, in pixels right and down; at least half a pixel,
-    /// because a zero extent would bound values but not their slopes.
+    /// because rows are polynomials of the distance over this.
     #[inline(always)]
     pub fn half(&self) -> [f64; 2] {
         let ends = [self.columns, self.rows];

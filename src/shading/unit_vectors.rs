@@ -1,8 +1,8 @@
 //! The assignment's shortcut: unit n, l and o of the vertices, interpolated linearly on the screen, not renormalised.
 //!
 //! Let e_i be the weights of a triangle's vertices at a point of the face, and z_i the depths of the vertices. The weights
-//! e_i z_i / sum(e_j z_j) are linear on the screen. A vertex nearer than the near plane has no position on the screen; the vectors
-//! of its triangle are interpolated with e_i, perspective-correctly, as everything else is.
+//! e_i z_i / sum(e_j z_j) are linear on the screen. A vertex nearer than the near plane has no position on the screen; the
+//! vectors of its triangle are interpolated with e_i, perspective-correctly, as everything else is.
 //!
 //! This is its definition, evaluated in f64 at every pixel. It shows the error of the shortcut; its time is not tuned.
 
