@@ -157,13 +157,11 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
     }
 }
 
-/// Sets `ends` when the system asks the program to end. Asked again, it ends at once.
+/// Sets `ends` when the system asks the program to end.
 fn end_on_signals(ends: &Arc<AtomicBool>) -> anyhow::Result<()> {
     #[cfg(unix)]
     for signal in [SIGHUP, SIGINT, SIGTERM] {
-        flag::register_conditional_shutdown(signal, 1, Arc::clone(ends))
-            .and_then(|_| flag::register(signal, Arc::clone(ends)))
-            .context("cannot wait for signals")?;
+        flag::register(signal, Arc::clone(ends)).context("cannot wait for signals")?;
     }
     Ok(())
 }
