@@ -33,7 +33,7 @@ mod tags;
 pub mod viewport;
 pub mod widgets;
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -157,11 +157,16 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
     }
 }
 
-/// Sets `ends` when the system asks the program to end.
+/// Sets `ends` when the system asks the program to end. Signals that its parent ignores, as `nohup` does, stay ignored.
 fn end_on_signals(ends: &Arc<AtomicBool>) -> anyhow::Result<()> {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|bits| u64::from_str_radix(bits.trim(), 16).ok());
     #[cfg(unix)]
     for signal in [SIGHUP, SIGINT, SIGTERM] {
-        flag::register(signal, Arc::clone(ends)).context("cannot wait for signals")?;
+        if ignored.unwrap_or(0) >> (signal - 1) & 1 == 0 {
+            flag::register(signal, Arc::clone(ends)).context("cannot wait for signals")?;
+        }
     }
     Ok(())
 }
