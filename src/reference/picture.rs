@@ -123,8 +123,7 @@ impl<R: Real> Reference<R> {
     /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
     /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
     pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
-        let here = |cuboid: &&ReferenceCuboid<R>| cuboid.solid.rows.contains(&y);
-        let cuboids: Vec<_> = self.cuboids.iter().filter(here).collect();
+        let cuboids = self.in_row(y);
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.sight.size[0] {
             self.meet([x, y], &cuboids, &mut met);
@@ -133,9 +132,15 @@ impl<R: Real> Reference<R> {
         }
     }
 
+    /// The cuboids that may be visible in row `y`, in file order.
+    pub(super) fn in_row(&self, y: usize) -> Vec<&ReferenceCuboid<R>> {
+        let here = |cuboid: &&ReferenceCuboid<R>| cuboid.solid.rows.contains(&y);
+        self.cuboids.iter().filter(here).collect()
+    }
+
     /// The surfaces that the pixel [x, y] may show.
     pub fn at(&self, pixel: [usize; 2]) -> Vec<Seen<R>> {
-        let cuboids: Vec<_> = self.cuboids.iter().collect();
+        let cuboids = self.in_row(pixel[1]);
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         self.meet(pixel, &cuboids, &mut met);
         self.see(&met, &mut seen);

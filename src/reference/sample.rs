@@ -66,7 +66,7 @@ pub struct LightSample {
 /// The evaluations of these columns of row `y`, which must lie inside the picture for `view`; `None` for the background.
 pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Option<Sample>> {
     let reference = Reference::new(world, view);
-    let cuboids: Vec<_> = reference.cuboids.iter().collect();
+    let cuboids = reference.in_row(y);
     let lights = in_file_order::<(&Name, &Light), _>(world, |(name, light)| {
         light.on.then(|| name.0.clone())
     });

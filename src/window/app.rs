@@ -204,7 +204,10 @@ impl App {
         }
         self.spin_on();
         match self.file.look(self.scene.path.as_deref(), now) {
-            Some(Ok(scene)) => self.reload(scene),
+            Some(Ok(scene)) => {
+                self.keep_state(true);
+                self.reload(scene);
+            }
             Some(Err(error)) => self.desk.file_error = Some(error),
             None => {}
         }

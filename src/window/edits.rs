@@ -121,7 +121,9 @@ impl App {
                 camera.orbit = moved.unwrap_or(camera.orbit);
             }
         }
+        let new_name = std::mem::take(&mut self.file.new_name);
         self.file = SceneFile::of(&scene);
+        self.file.new_name = new_name;
         self.scene.text = scene.text;
         self.restore(&record);
         self.desk.file_error = None;

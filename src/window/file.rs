@@ -91,7 +91,8 @@ impl SceneFile {
                 path
             }
             None => {
-                let name = self.new_name.trim();
+                let name = self.new_name.replace(char::is_control, "_");
+                let name = name.trim();
                 let name = name.strip_suffix(".toml").unwrap_or(name);
                 ensure!(!name.is_empty(), "a new file needs a name");
                 write_new(folder, name, &text)?
@@ -111,7 +112,7 @@ impl SceneFile {
     /// If it cannot be written.
     pub fn rescue(&self, scene: &Scene, folder: &Path) -> anyhow::Result<PathBuf> {
         let text = scene::updated(&scene.text, &SceneRecord::of(&scene.world));
-        let name = Path::new(&self.new_name);
+        let name = Path::new(&scene.name);
         let stem = stem(scene.path.as_deref().unwrap_or(name));
         write_new(folder, &format!("{stem}-unsaved"), &text)
     }

@@ -48,7 +48,7 @@ pub fn history(record: &SceneRecord) -> Undoer<State> {
     let entities = record.cuboid.len() + record.light.len() + record.camera.len();
     Undoer::with_settings(Settings {
         max_undos: (MEMORY / (ENTITY * entities)).clamp(8, STEPS),
-        // A gesture is one step, however long it takes. After a second without a change the next one begins a step.
+        // A gesture is one step. After a second without a change the next one begins a step.
         auto_save_interval: f32::INFINITY,
         ..Settings::default()
     })

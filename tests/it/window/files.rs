@@ -223,6 +223,7 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
         .1
         .replace("size = [4.0, 3.0, 2.0]", "size = [5.0, 3.25, 2.0]");
     fs::write(&path, text).expect("written");
+    window.app.file.new_name = "other".to_owned();
     save(&mut window);
     assert!(window.message().starts_with("not saved"), "it was not read");
     window.wait(PAUSE);
@@ -231,10 +232,20 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
     assert_eq!(record.light[0].intensity, 10.0);
     assert_eq!(record.camera, edited.camera, "the camera stays where it is");
     assert_eq!(record.view, edited.view);
-    assert!(!window.message().is_empty());
+    assert!(!window.message().is_empty() && window.app.file.new_name == "other");
     window.wait(PAUSE);
     window.undo();
     assert_eq!(window.record(), edited);
+    // An edit that no key or button has ended.
+    window.app.scene.world = edited.spawn();
+    for light in window.app.scene.world.query_mut::<&mut Light>() {
+        light.intensity = 4.0;
+    }
+    fs::write(&path, BUILT_IN[0].1).expect("written");
+    (0..12).for_each(|_| window.step(Vec::new()));
+    assert_eq!(window.record().light[0].intensity, 10.0);
+    window.undo();
+    assert_eq!(window.record().light[0].intensity, 4.0);
 }
 
 #[test]
