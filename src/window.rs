@@ -93,6 +93,7 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
     let ends = Arc::new(AtomicBool::new(false));
+    #[cfg(unix)]
     end_on_signals(&ends)?;
     loop {
         let must_end = !display.window.is_open() || ends.load(Ordering::Relaxed);
@@ -158,11 +159,11 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
 }
 
 /// Sets `ends` when the system asks the program to end. Signals that its parent ignores, as `nohup` does, stay ignored.
+#[cfg(unix)]
 fn end_on_signals(ends: &Arc<AtomicBool>) -> anyhow::Result<()> {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     let ignored = ignored.and_then(|bits| u64::from_str_radix(bits.trim(), 16).ok());
-    #[cfg(unix)]
     for signal in [SIGHUP, SIGINT, SIGTERM] {
         if ignored.unwrap_or(0) >> (signal - 1) & 1 == 0 {
             flag::register(signal, Arc::clone(ends)).context("cannot wait for signals")?;

@@ -68,7 +68,7 @@ impl Probe {
         }
         if let Some(sample) = sample {
             let decimals = |numbers: [f64; 3]| joined(numbers.map(|it| format!("{it:.5}")));
-            row("vertex", &joined(TRIANGLES[sample.triangle]));
+            row("factor at", &joined(TRIANGLES[sample.triangle]));
             row("weight", &decimals(sample.weights));
             for light in lights {
                 row(&light.name, &decimals(light.corner_factors));

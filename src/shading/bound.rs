@@ -186,7 +186,7 @@ pub fn highlight_error<S: Simd>(
 ) -> f64x4<S> {
     let simd = power.token();
     let [first, second, third] = gloss.factors;
-    // s^(rho-k) <= most^rho / base^k. The base is the largest s if no exponent is negative, else the least.
+    // s^(rho-k) <= most^rho / base^k. The base is the largest s if no exponent is negative (rho >= 3), else the least.
     let base = if gloss.factors[0] >= 3.0 { most } else { least };
     let over = 1.0 / base;
     let [one, other] = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
@@ -200,6 +200,7 @@ pub fn highlight_error<S: Simd>(
         falls_sine * (3.0 * second),
         falls_sine3 * third,
     ];
+    // From rho = 2 on the two have opposite signs.
     let cubes = if gloss.factors[0] >= 2.0 {
         b.max(d)
     } else {

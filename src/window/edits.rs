@@ -1,5 +1,5 @@
-//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them every
-//! method shows.
+//! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them change
+//! more than the method.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -106,7 +106,7 @@ impl SceneFile {
         Ok(())
     }
 
-    /// Writes edits that were never saved into a file beside the scene's.
+    /// Writes edits that were never saved into a new file in `folder`.
     ///
     /// # Errors
     /// If it cannot be written.

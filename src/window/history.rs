@@ -31,7 +31,7 @@ impl State {
 }
 
 impl PartialEq for State {
-    /// It is asked at every step, and copies no entities.
+    /// Compared in every frame, so it copies no entities.
     fn eq(&self, other: &State) -> bool {
         let (one, another) = (&*self.0, &*other.0);
         Arc::ptr_eq(&self.0, &other.0)

@@ -85,7 +85,7 @@ impl Canvas<'_, '_> {
         }
     }
 
-    /// The number of strips in which there are listed pixels of a square of [`MIN_SIDE`](crate::shading::square::MIN_SIDE): one or two.
+    /// The number of strips with listed pixels of a square of [`MIN_SIDE`](crate::shading::square::MIN_SIDE): one or two.
     pub fn strips(&self) -> u64 {
         let row = |index: u32| self.band.rows.start + index as usize / self.band.width;
         let [first, last] = [0, self.pixels.count - 1].map(|it| row(self.pixels.indices[it]));

@@ -137,7 +137,8 @@ fn the_text_shows_every_value_in_rows() {
     }
     // Gouraud by hand, from the rows of the vertices.
     let numbers = |name: &str| -> Vec<f64> {
-        let cells = cells(&lines, "vertex", name);
+        let at = lines.iter().position(|line| line.contains("factor at"));
+        let cells = cells(&lines[at.expect("a heading")..], "factor", name);
         cells
             .iter()
             .map(|it| it.parse().expect("a number"))
