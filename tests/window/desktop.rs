@@ -205,13 +205,6 @@ impl Program {
         self.display.server.wait().expect("it has ended");
     }
 
-    /// Sends a signal to the program.
-    pub fn signal(&self, name: &str) {
-        let arguments = ["-s", name, &self.child.id().to_string()];
-        let sent = Command::new("kill").args(arguments).status();
-        assert!(sent.expect("there is such a program").success());
-    }
-
     /// Waits for the program to end, and returns its exit status.
     pub fn ended(&mut self) -> ExitStatus {
         let mut status = None;

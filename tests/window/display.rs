@@ -8,6 +8,7 @@ use fearless_simd::Level;
 use image::RgbImage;
 
 use super::desktop::{Point, Program, until};
+use super::signal;
 use super::support::{app, default_scene, places, widgets};
 
 /// The initial size of the window, in pixels.
@@ -154,7 +155,7 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         program.click([copy.x as i32, copy.y as i32]);
         until("a star", || program.title().contains('*'));
         if way == "signal" {
-            program.signal("TERM");
+            assert!(signal::send("TERM", &program.child));
         } else {
             program.press(way);
         }

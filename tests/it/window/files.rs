@@ -97,11 +97,7 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     edit(&mut window, 5.0);
     let told = window.app.rescue().expect("written");
     assert!(told.is_some_and(|told| told.contains("cuboid-3-unsaved.toml")));
-    for (name, told) in [
-        ("", "needs a name"),
-        ("no/folder", "not saved"),
-        (" mine.toml", "saved"),
-    ] {
+    for (name, told) in [("", "needs a name"), (" mine.toml", "saved")] {
         window.app.file.new_name = name.to_owned();
         window.press_with(CONTROL_SHIFT, Key::S);
         assert!(window.message().contains(told), "{name}");
