@@ -154,10 +154,9 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         let copy = *places(&harness, "copy").last().expect("a button");
         program.click([copy.x as i32, copy.y as i32]);
         until("a star", || program.title().contains('*'));
-        if way == "signal" {
-            assert!(signal::send("TERM", &program.child));
-        } else {
-            program.press(way);
+        match way {
+            "signal" => assert!(signal::send("TERM", &program.child)),
+            key => program.press(key),
         }
         assert!(program.ended().success(), "{way}");
         assert!(folder.join("cuboid-unsaved.toml").exists(), "{way}");

@@ -233,10 +233,9 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
     window.undo();
     assert_eq!(window.record(), edited);
     // An edit that no key or button has ended.
-    window.app.scene.world = edited.spawn();
-    for light in window.app.scene.world.query_mut::<&mut Light>() {
-        light.intensity = 4.0;
-    }
+    let mut record = edited;
+    record.light[0].intensity = 4.0;
+    window.app.restore(&record);
     fs::write(&path, BUILT_IN[0].1).expect("written");
     (0..12).for_each(|_| window.step(Vec::new()));
     assert_eq!(window.record().light[0].intensity, 10.0);
