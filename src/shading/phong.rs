@@ -65,14 +65,14 @@ impl FaceLight {
     /// Overwrites it with a light on a face. Its factors are 0 if it lights no pixel of it.
     fn set(&mut self, face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) {
         let position = light.position - face.rays.lens.eye;
-        let coefficients = if face.is_behind(position, normals) {
-            [DVec3::ZERO; 2]
-        } else {
-            surface.coefficients(light)
-        };
+        let coefficients = surface.coefficients(light);
+        self.most = coefficients.map(DVec3::max_element);
+        if self.most == [0.0; 2] || face.is_behind(position, normals) {
+            self.most = [0.0; 2];
+            return;
+        }
         self.towards = face.towards(position, light.position - surface.centre);
         [self.diffuse, self.specular] = coefficients.map(|levels| levels.as_vec3().to_array());
-        self.most = coefficients.map(DVec3::max_element);
     }
 }
 
