@@ -101,7 +101,7 @@ impl<'a> Gouraud<'a> {
             }
         }
         let shortest = 1.0 - e.abs() - g.abs();
-        // Pixels of a sliver are clamped to the face, one by one.
+        // A square with pixels that may be clamped to the face is not interpolated.
         let steady = (middle * shortest).simd_gt(self.face.least_steady().max(0.0));
         let bounded = steady & shortest.simd_gt(0.5);
         let rounding = largest * ROUNDING;

@@ -26,7 +26,8 @@ const TOLERANCE: [&str; 3] = [
      A coarser tolerance is faster, and 0 is exact.",
 ];
 
-const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. A number is added if the name is taken.";
+const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. \
+                        A number is added if the name is taken.";
 
 impl App {
     pub fn panel(&mut self, ui: &mut Ui) {

@@ -161,24 +161,22 @@ impl Log {
             if let (Event::Scene(scene), None) = (&event, &start) {
                 start = Some(scene.clone());
             }
-            let at = match frames.last() {
-                Some(last) if last.time == time => last.at,
-                Some(last) => {
+            if frames.last().is_none_or(|last| last.time != time) {
+                let at = frames.last().map(|last| {
                     let whole = last.at + time.saturating_sub(last.time);
                     whole.min(read_until.max(last.at + idle))
-                }
-                None => Duration::ZERO,
-            };
-            if let Event::Say(words) = &event {
-                read_until = at + reading_time(words);
-            }
-            match frames.last_mut() {
-                Some(frame) if frame.time == time => frame.events.push(event),
-                _ => frames.push(RecordedFrame {
+                });
+                frames.push(RecordedFrame {
                     time,
-                    at,
-                    events: vec![event],
-                }),
+                    at: at.unwrap_or_default(),
+                    events: Vec::new(),
+                });
+            }
+            if let Some(frame) = frames.last_mut() {
+                if let Event::Say(words) = &event {
+                    read_until = frame.at + reading_time(words);
+                }
+                frame.events.push(event);
             }
         }
         Ok(Log {

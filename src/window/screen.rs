@@ -32,6 +32,9 @@ impl App {
             return;
         };
         let (after, view) = (Arc::clone(&self.state), self.view());
+        if Arc::ptr_eq(&before, &after) && view == view_before {
+            return;
+        }
         let shown = |it: &SceneRecord| (it.view.show, it.view.sides, it.view.divider);
         let by_any_method = |view: View| view.unshaded().with_tolerance(0.0);
         let is_same_view =
