@@ -60,6 +60,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::U;
+use super::affine::Affine;
 use super::field::{Field, positive};
 use super::gloss::Gloss;
 use super::lanes::dot;
@@ -69,24 +70,27 @@ use crate::simd::{three, two};
 /// asin(x) <= ARC x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
 
-/// Bounds on the lengths of the first three derivatives of a unit vector.
+/// Bounds on the sizes of the first three derivatives along x or along y.
+pub type Derivatives<S> = [f64x4<S>; 3];
+
+/// Of a unit vector.
 #[inline(always)]
-pub fn direction<S: Simd>([p, q]: [f64x4<S>; 2]) -> [f64x4<S>; 3] {
+pub fn direction<S: Simd>([p, q]: [f64x4<S>; 2]) -> Derivatives<S> {
     const HALF_SECOND: f64 = 0.577_350_269_189_625_8; // 1 / sqrt(3)
     let second = p.min(q * HALF_SECOND) * q * 2.0;
     let third = (p * 2.0).min(q) * q * q * 3.0;
     [p, second, third]
 }
 
-/// Bounds on the first three derivatives of the half-turn about a unit vector.
+/// Of the half-turn about a unit vector.
 #[inline(always)]
-pub fn half_turn<S: Simd>([p, q]: [f64x4<S>; 2]) -> [f64x4<S>; 3] {
+pub fn half_turn<S: Simd>([p, q]: [f64x4<S>; 2]) -> Derivatives<S> {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
-/// Bounds on the first three derivatives of a product whose factors are at most one (Leibniz).
+/// Of a product whose factors are at most one (Leibniz).
 #[inline(always)]
-pub fn product<S: Simd>(a: [f64x4<S>; 3], b: [f64x4<S>; 3]) -> [f64x4<S>; 3] {
+pub fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> {
     [
         a[0] + b[0],
         a[1] + a[0] * b[0] * 2.0 + b[1],
@@ -120,26 +124,33 @@ pub fn side<S: Simd>(
     light: &Field<S>,
     rounding: f64x4<S>,
 ) -> (f64x4<S>, mask64x4<S>, mask64x4<S>) {
-    let cosine = dot(&normal.middle, &light.middle);
+    let cosine = dot(&normal.vector.centre, &light.vector.centre);
     let most = (normal.radius + light.radius) * ARC + rounding;
     let bounded = normal.is_direction_bounded() & light.is_direction_bounded();
     let [lit, dark] = [cosine.simd_gt(most), cosine.simd_lt(-most)];
     (cosine, bounded & lit, bounded & dark)
 }
 
-/// Bounds on the square: the largest and the least s = o.r, which are at most 1, and the largest sine of the angle between o
-/// and r. The sine is bounded only where all directions are.
-///
-/// r turns twice as far as n, and as far as l.
+/// Bounds on s = o.r and on the angle between o and r, over a square.
+#[derive(Clone, Copy)]
+pub struct Reflection<S: Simd> {
+    /// The largest and the least s; at most 1.
+    pub most: f64x4<S>,
+    pub least: f64x4<S>,
+    /// The largest sine of the angle; a bound only where all directions are bounded.
+    pub sine: f64x4<S>,
+}
+
+/// The bounds for a light; `cosine` is n.l at the middle. r turns twice as far as n, and as far as l.
 #[inline(always)]
 pub fn reflection<S: Simd>(
     normal: &Field<S>,
     light: &Field<S>,
     eye: &Field<S>,
     cosine: f64x4<S>,
-) -> [f64x4<S>; 3] {
+) -> Reflection<S> {
     let simd = cosine.token();
-    let (n, l, o) = (&normal.middle, &light.middle, &eye.middle);
+    let [n, l, o] = [normal, light, eye].map(|field| &field.vector.centre);
     let r = three!(|axis| n[axis] * cosine * 2.0 - l[axis]);
     let s = dot(o, &r);
     // |o x r| is the sine of the angle. The root of 1 - s^2 would lose its digits where s is near 1.
@@ -167,45 +178,37 @@ pub fn reflection<S: Simd>(
         normal.is_direction_bounded() & light.is_direction_bounded() & eye.is_direction_bounded();
     let narrow = bounded & turn.simd_lt(std::f64::consts::FRAC_PI_2);
     let least = s - s.abs() * turn2 * 0.5 - sine * turn;
-    [
-        narrow.select(most, one),
-        narrow.select(least, -one),
-        (sine + turn).min(one),
-    ]
+    Reflection {
+        most: narrow.select(most, one),
+        least: narrow.select(least, -one),
+        sine: (sine + turn).min(one),
+    }
 }
 
-/// A bound on the interpolation error of s^rho, for a range of s from [`reflection`]; `power` is that of the largest s.
+/// A bound on the interpolation error of s^rho; `power` is that of the largest s.
 #[inline(always)]
 pub fn highlight_error<S: Simd>(
     gloss: &Gloss,
     normal: &Field<S>,
     light: &Field<S>,
     eye: &Field<S>,
-    [most, least, sine]: [f64x4<S>; 3],
+    reflection: Reflection<S>,
     power: f64x4<S>,
 ) -> f64x4<S> {
     let simd = power.token();
-    let [first, second, third] = gloss.factors;
+    let Reflection { most, least, sine } = reflection;
+    let [rho, second, third] = gloss.factors;
     // s^(rho-k) <= most^rho / base^k. The base is the largest s if no exponent is negative (rho >= 3), else the least.
-    let base = if gloss.factors[0] >= 3.0 { most } else { least };
+    let base = if rho >= 3.0 { most } else { least };
     let over = 1.0 / base;
-    let [one, other] = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
-    let falls = power * over;
-    let falls_sine = (falls * over * sine).min(one);
-    let falls_sine3 = (falls * over * over * sine * sine * sine).min(other);
+    let peaks = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
+    let a = power * over * rho;
+    let b = (power * over * over * sine).min(peaks[0]) * (3.0 * second);
+    let d = (power * over * over * over * sine * sine * sine).min(peaks[1]) * third;
     // cos(theta/2)^2 = (1 + s) / 2.
     let chord = sine * (2.0 / (positive(least) + 1.0)).sqrt();
-    let [a, b, d] = [
-        falls * first,
-        falls_sine * (3.0 * second),
-        falls_sine3 * third,
-    ];
     // From rho = 2 on the two have opposite signs.
-    let cubes = if gloss.factors[0] >= 2.0 {
-        b.max(d)
-    } else {
-        b + d
-    };
+    let cubes = if rho >= 2.0 { b.max(d) } else { b + d };
     let errors = interpolation_error(two!(|axis| {
         let o = direction(eye.rates[axis]);
         let r = product(direction(light.rates[axis]), half_turn(normal.rates[axis]));
@@ -230,19 +233,21 @@ pub fn power<S: Simd>(shininess: f32, most: f64x4<S>) -> f64x4<S> {
     power * 1.001 + 1e-30
 }
 
-/// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y, in the units of a.
+/// A bound on the interpolation error of (a + b x + c y) / w for w = 1 + e x + g y.
 ///
-/// Let A be the numerator at any place. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|,
+/// Let A be the numerator at any point. Along x the quotient is a constant plus k / (w + e t) with |k| = |b w - A e| / |e|,
 /// so its third derivative is 6 |b w - A e| e^2 / w^4. b w - A e = (b - a e) + y (b g - c e) does not change along x. Along
 /// y alike.
 #[inline(always)]
-pub fn quotient_error<S: Simd>([a, b, c]: [f64x4<S>; 3], [e, g]: [f64x4<S>; 2]) -> f64x4<S> {
-    let least = 1.0 - e.abs() - g.abs();
-    let fourth = 6.0 / (least * least * least * least);
+pub fn quotient_error<S: Simd>(numerator: Affine<f64x4<S>>, w: Affine<f64x4<S>>) -> f64x4<S> {
+    let (a, b, c) = (numerator.centre, numerator.dx, numerator.dy);
+    let (e, g) = (w.dx, w.dy);
+    let least_w = 1.0 - e.abs() - g.abs();
+    let fourth = 6.0 / (least_w * least_w * least_w * least_w);
     let both = (b * g - c * e).abs();
     let x = ((b - a * e).abs() + both) * e * e * fourth;
     let y = ((c - a * g).abs() + both) * g * g * fourth;
-    least.simd_gt(0.0).select(
+    least_w.simd_gt(0.0).select(
         interpolation_error([x, y]),
         f64x4::splat(a.token(), f64::INFINITY),
     )

@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
 use super::affine::Affine;
-use super::lanes::{Affine4, dot};
+use super::lanes::dot;
 use super::square::Square;
 use crate::components::length;
 use crate::simd::{four, inlined, three, two};
@@ -38,25 +38,23 @@ impl<S: Simd> Extents<S> {
         }
     }
 
-    /// An affine number on the squares: its value at the middle, and its changes from there to the outermost covered pixel
-    /// centres, right and down.
+    /// A number that is affine in the pixel, on the squares.
     #[inline(always)]
-    pub fn affine(&self, number: &Affine<f64>) -> [f64x4<S>; 3] {
+    pub fn affine(&self, number: &Affine<f64>) -> Affine<f64x4<S>> {
         let [x, y] = self.middle;
-        [
-            x * number.dx + y * number.dy + number.centre,
-            self.half[0] * number.dx,
-            self.half[1] * number.dy,
-        ]
+        Affine {
+            centre: x * number.dx + y * number.dy + number.centre,
+            dx: self.half[0] * number.dx,
+            dy: self.half[1] * number.dy,
+        }
     }
 }
 
-/// A vector on four squares: `middle + right x + down y` for x and y from -1 to 1, the middle of length one.
+/// A vector on four squares.
 #[derive(Clone, Copy)]
 pub struct Field<S: Simd> {
-    pub middle: [f64x4<S>; 3],
-    pub right: [f64x4<S>; 3],
-    pub down: [f64x4<S>; 3],
+    /// Scaled to length one at the middle of each square.
+    pub vector: Affine<[f64x4<S>; 3]>,
     /// How far it moves from its value at the middle, at most.
     pub radius: f64x4<S>,
     /// A lower bound of its length.
@@ -94,9 +92,7 @@ impl<S: Simd> Field<S> {
             [p.min(q), q]
         });
         Field {
-            middle,
-            right,
-            down,
+            vector: Affine::new(middle, right, down),
             radius,
             shortest,
             rates: [rates(along[0], right_length), rates(along[1], down_length)],
@@ -119,15 +115,20 @@ impl<S: Simd> Field<S> {
 
     /// The vector in f32.
     #[inline(always)]
-    pub fn single(&self) -> [Affine4; 3] {
-        three!(|axis| single([self.middle[axis], self.right[axis], self.down[axis]]))
+    pub fn single(&self) -> [Affine<[f32; 4]>; 3] {
+        three!(|axis| single(
+            self.vector
+                .map(inlined!(|vector: [f64x4<S>; 3]| vector[axis]))
+        ))
     }
 }
 
 /// An affine number in f32.
 #[inline(always)]
-pub fn single<S: Simd>(number: [f64x4<S>; 3]) -> Affine4 {
-    three!(|term| four!(|square| number[term].as_array()[square] as f32))
+pub fn single<S: Simd>(number: Affine<f64x4<S>>) -> Affine<[f32; 4]> {
+    number.map(inlined!(|term: f64x4<S>| four!(
+        |square| term.as_array()[square] as f32
+    )))
 }
 
 /// The number, or zero where it is negative.

@@ -26,8 +26,8 @@ pub struct Gloss {
     pub(super) factors: [f64; 3],
     /// The largest s^(rho-2) sin and s^(rho-3) sin^3 at any angle; infinite where there is none.
     pub(super) peaks: [f64; 2],
-    /// A highlight whose s stays below this is too faint to be drawn.
-    pub least: f64,
+    /// A highlight is too faint to be drawn unless its s exceeds this.
+    pub drawn_above: f64,
     /// The error of one highlight that is not drawn, in levels.
     pub faint: f64,
     /// Where |s| is smaller than this, its power is evaluated in f64.
@@ -45,7 +45,7 @@ impl Gloss {
             .map(|light| surface.coefficients(light)[1].max_element())
             .fold(0.0, f64::max);
         let faint = DROPPED * limit(tolerance) / surface.powers().max(1) as f64;
-        let least = if brightest <= faint {
+        let drawn_above = if brightest <= faint {
             f64::INFINITY
         } else if shininess == 0.0 {
             f64::NEG_INFINITY
@@ -72,7 +72,7 @@ impl Gloss {
             },
             factors: [shininess, second, second * (shininess - 2.0).abs()],
             peaks: [peak(shininess - 2.0, 1.0), peak(shininess - 3.0, 3.0)],
-            least,
+            drawn_above,
             faint,
             doubt: if is_steep { DOUBT as f32 } else { 0.0 },
             steepest: steepest(shininess),
@@ -204,13 +204,13 @@ pub(super) mod tests {
     fn the_faintest_highlight_that_is_drawn_has_a_quarter_of_the_tolerance() {
         let known = gloss(2.0, 0.4);
         assert!((known.faint - 0.1).abs() < 1e-12);
-        assert!((known.least - 1e-3_f64.sqrt()).abs() < 1e-12);
+        assert!((known.drawn_above - 1e-3_f64.sqrt()).abs() < 1e-12);
         assert!(
             (lit(2.0, 0.4, 5).faint - 0.02).abs() < 1e-12,
             "lights share it"
         );
-        assert_eq!(gloss(2.0, 400.0).least, f64::INFINITY);
-        assert_eq!(gloss(0.0, 0.4).least, f64::NEG_INFINITY);
+        assert_eq!(gloss(2.0, 400.0).drawn_above, f64::INFINITY);
+        assert_eq!(gloss(0.0, 0.4).drawn_above, f64::NEG_INFINITY);
         assert!(
             (gloss(1.0, 0.0).faint - 0.0125).abs() < 1e-12,
             "tolerance 0 is 0.05"

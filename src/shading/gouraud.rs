@@ -13,7 +13,7 @@ use super::bound;
 use super::face::Face;
 use super::field::{Extents, single};
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{Affine4, LaneLayout, Squares};
+use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
@@ -27,9 +27,9 @@ pub struct Gouraud<'a> {
     levels: &'a [DVec3; 8],
     colors: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
-    w_by_square: Affine4,
-    diagonal_by_square: Affine4,
-    colors_by_square: [[Affine4; 3]; 2],
+    w_by_square: Affine<[f32; 4]>,
+    diagonal_by_square: Affine<[f32; 4]>,
+    colors_by_square: [[Affine<[f32; 4]>; 3]; 2],
     /// The squares that meet each triangle.
     meets: [Squares; 2],
     /// Where levels in f32 keep the tolerance.
@@ -62,8 +62,8 @@ impl<'a> Gouraud<'a> {
                 let levels = face.interpolate(levels, triangle);
                 face.uvw.map(|it| levels.homogeneous(it.x, it.y, it.z))
             }),
-            w_by_square: Default::default(),
-            diagonal_by_square: Default::default(),
+            w_by_square: Affine::default(),
+            diagonal_by_square: Affine::default(),
             colors_by_square: Default::default(),
             meets: [0; 2],
             in_f32: 0,
@@ -79,33 +79,40 @@ impl<'a> Gouraud<'a> {
         interpolate: bool,
     ) -> (Option<Interpolant<S>>, Squares) {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
-        let [middle, ..] = extents.affine(&self.face.w);
+        let middle = extents.affine(&self.face.w).centre;
         let inverse = 1.0 / middle;
         let scaled = inlined!(|number: &Affine<f64>| {
-            let affine = extents.affine(number);
-            three!(|term| affine[term] * inverse)
+            extents
+                .affine(number)
+                .map(inlined!(|term: f64x4<S>| term * inverse))
         });
-        let [_, e, g] = scaled(&self.face.w);
+        let w = Affine {
+            centre: splat(1.0),
+            ..scaled(&self.face.w)
+        };
         let diagonal = scaled(&self.face.diagonal);
-        let change = diagonal[1].abs() + diagonal[2].abs();
-        let meets = [diagonal[0].simd_gt(-change), diagonal[0].simd_lt(change)];
+        let change = diagonal.dx.abs() + diagonal.dy.abs();
+        let meets = [
+            diagonal.centre.simd_gt(-change),
+            diagonal.centre.simd_lt(change),
+        ];
         let colors = two!(|triangle| three!(|channel| {
             scaled(&self.colors[triangle].map(|color| color[channel]))
         }));
         let zero = splat(0.0);
         let mut largest = zero;
         for triangle in 0..2 {
-            for [color, right, down] in colors[triangle] {
-                let most = color.abs() + right.abs() + down.abs();
+            for color in colors[triangle] {
+                let most = color.centre.abs() + color.dx.abs() + color.dy.abs();
                 largest = largest.max(meets[triangle].select(most, zero));
             }
         }
-        let shortest = 1.0 - e.abs() - g.abs();
+        let shortest = 1.0 - w.dx.abs() - w.dy.abs();
         // A square with pixels that may be clamped to the face is not interpolated.
         let steady = (middle * shortest).simd_gt(self.face.least_steady().max(0.0));
         let bounded = steady & shortest.simd_gt(0.5);
         let rounding = largest * ROUNDING;
-        self.w_by_square = single([splat(1.0), e, g]);
+        self.w_by_square = single(w);
         self.diagonal_by_square = single(diagonal);
         self.colors_by_square =
             two!(|triangle| three!(|channel| single(colors[triangle][channel])));
@@ -116,12 +123,16 @@ impl<'a> Gouraud<'a> {
         }
         let mut error = zero;
         for channel in 0..3 {
-            let color =
-                three!(|term| meets[0].select(colors[0][channel][term], colors[1][channel][term]));
-            error = error.max(bound::quotient_error(color, [e, g]));
+            let [first, second] = two!(|triangle| colors[triangle][channel]);
+            let color = Affine {
+                centre: meets[0].select(first.centre, second.centre),
+                dx: meets[0].select(first.dx, second.dx),
+                dy: meets[0].select(first.dy, second.dy),
+            };
+            error = error.max(bound::quotient_error(color, w));
         }
         let is_cut = meets[0] & meets[1];
-        let budget = (bounded & !is_cut).select(
+        let remaining = (bounded & !is_cut).select(
             splat(self.tolerance) - error - rounding * LEBESGUE,
             splat(-1.0),
         );
@@ -132,14 +143,14 @@ impl<'a> Gouraud<'a> {
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
-        let interpolant = Interpolant::new(terms, [zero; 3], budget);
+        let interpolant = Interpolant::new(terms, [zero; 3], remaining);
         (Some(interpolant), 0b1111)
     }
 
     /// w C / w at points of squares, x and y from -1 to 1.
     #[inline(always)]
     pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &Affine4| at.affine(of, xy));
+        let affine = inlined!(|of: &Affine<[f32; 4]>| at.affine(of, xy));
         let inverse = 1.0 / affine(&self.w_by_square);
         let [first, second] = &self.colors_by_square;
         if !at.any(self.meets[1]) {

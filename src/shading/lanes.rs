@@ -5,7 +5,8 @@ use std::ops::{Add, Mul};
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x4, f32x16, mask32x16};
 
-use crate::simd::three;
+use super::affine::Affine;
+use crate::simd::inlined;
 
 /// The scalar product.
 #[inline(always)]
@@ -20,10 +21,6 @@ pub type Squares = u64;
 pub fn has(set: Squares, square: usize) -> bool {
     set >> square & 1 == 1
 }
-
-/// An affine number on each of the four squares: its values at their middles, and its changes from there to their outermost
-/// covered pixel centres, right and down.
-pub type Affine4 = [[f32; 4]; 3];
 
 /// Which squares the sixteen lanes belong to.
 #[derive(Clone, Copy)]
@@ -55,9 +52,9 @@ impl LaneLayout {
 
     /// An affine number at points of the squares, x and y from -1 to 1.
     #[inline(always)]
-    pub fn affine<S: Simd>(self, of: &Affine4, [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
-        let [middle, right, down] = three!(|term| self.lanes(x.token(), &of[term]));
-        x * right + (y * down + middle)
+    pub fn affine<S: Simd>(self, of: &Affine<[f32; 4]>, [x, y]: [f32x16<S>; 2]) -> f32x16<S> {
+        let lanes = inlined!(|term: &[f32; 4]| self.lanes(x.token(), term));
+        x * lanes(&of.dx) + (y * lanes(&of.dy) + lanes(&of.centre))
     }
 
     /// A number in the lanes of a set of squares, zero elsewhere; one lane at least is in the set.

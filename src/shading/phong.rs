@@ -26,7 +26,7 @@ use super::face::Face;
 use super::field::{Extents, Field};
 use super::gloss::Gloss;
 use super::interpolation::{Interpolant, LEBESGUE, sampled};
-use super::lanes::{Affine4, LaneLayout, Squares, dot, has};
+use super::lanes::{LaneLayout, Squares, dot, has};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
 use super::surface::Surface;
@@ -56,7 +56,7 @@ pub struct FaceLight {
     /// Where this is the only light whose n.l may change its sign. Its highlight is not drawn there.
     crosses: Squares,
     /// `towards`, scaled to length one at the middle of each square.
-    by_square: [Affine4; 3],
+    by_square: [Affine<[f32; 4]>; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
     doubt: [f32; 4],
 }
@@ -91,8 +91,8 @@ pub struct Phong<'a> {
     normals: Affine,
     normal: Affine,
     /// w n and w (O - P), scaled to length one at the middle of each square.
-    normal_by_square: [Affine4; 3],
-    eye_by_square: [Affine4; 3],
+    normal_by_square: [Affine<[f32; 4]>; 3],
+    eye_by_square: [Affine<[f32; 4]>; 3],
     /// Where any highlight is drawn.
     shines: Squares,
     /// Where levels in f32 keep the tolerance.
@@ -140,11 +140,11 @@ impl<'a> Phong<'a> {
         extents: &Extents<S>,
         interpolate: bool,
     ) -> (Option<Interpolant<S>>, Squares) {
-        let (budget, promising) = self.classify(extents, interpolate);
+        let (remaining, promising) = self.classify(extents, interpolate);
         if !interpolate {
             return (None, 0);
         }
-        if !budget.simd_gt(0.0).any_true() {
+        if !remaining.simd_gt(0.0).any_true() {
             return (None, promising);
         }
         let zero = f64x4::splat(simd, 0.0);
@@ -158,7 +158,10 @@ impl<'a> Phong<'a> {
                 crossing[channel] += crosses.select(levels, zero);
             }
         }
-        (Some(Interpolant::new(terms, crossing, budget)), promising)
+        (
+            Some(Interpolant::new(terms, crossing, remaining)),
+            promising,
+        )
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -167,7 +170,7 @@ impl<'a> Phong<'a> {
         highlights.all(|light| light.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
-    /// Classifies the lights on four squares. Returns the budget of each square, which is the tolerance minus the errors of
+    /// Classifies the lights on four squares. Returns what remains of the tolerance on each square after the errors of
     /// interpolation, of missing highlights and of samples, and at most 0 where an error has no bound. Also returns the set
     /// of squares whose quarters are worth trying.
     #[inline(always)]
@@ -176,18 +179,18 @@ impl<'a> Phong<'a> {
         extents: &Extents<S>,
         interpolate: bool,
     ) -> (f64x4<S>, Squares) {
-        let [middle, right, down] = extents.affine(&self.face.w);
-        let least = middle - right.abs() - down.abs();
-        let simd = least.token();
+        let w = extents.affine(&self.face.w);
+        let least_w = w.centre - w.dx.abs() - w.dy.abs();
+        let simd = w.centre.token();
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let [zero, one] = [splat(0.0), splat(1.0)];
         let none = mask64x4::splat(simd, false);
         let normal = Field::new(&self.normal, extents);
         let eye = Field::new(&self.face.rays.to_eye, extents);
         // A square with pixels that may be clamped to the face is not interpolated.
-        let steady = least.simd_gt(self.face.least_steady().max(0.0));
+        let steady = least_w.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
-        let mut budget = splat(self.tolerance);
+        let mut remaining = splat(self.tolerance);
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
         let (mut left_out, mut crossed, mut unsure) = (zero, none, zero);
@@ -203,14 +206,14 @@ impl<'a> Phong<'a> {
             rounding.add(dark.select(zero, diffuse), roundings);
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
-                shines = reflection[0].simd_gt(self.gloss.least) & !dark;
+                shines = reflection.most.simd_gt(self.gloss.drawn_above) & !dark;
                 left_out += (shines | dark).select(zero, splat(self.gloss.faint));
                 let chord = self.gloss.propagated(rounding.chord(&to_light));
                 rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
                 doubt = (lit | !shines).select(zero, roundings * U);
                 if interpolate {
                     // All of a highlight that is not drawn is missing.
-                    error = bound::power(self.gloss.shininess, reflection[0]);
+                    error = bound::power(self.gloss.shininess, reflection.most);
                     if shines.any_true() {
                         let (gloss, light) = (self.gloss, &to_light);
                         let drawn =
@@ -229,7 +232,7 @@ impl<'a> Phong<'a> {
                 unsure += sure.select(zero, one);
                 bounded &= sure;
                 let error = error * specular + bound::cosine_error(&normal, &to_light) * diffuse;
-                budget -= dark.select(zero, error);
+                remaining -= dark.select(zero, error);
             }
             light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
@@ -240,15 +243,15 @@ impl<'a> Phong<'a> {
         }
         let rounding = rounding.levels();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
-        let budget = bounded.select(budget - rounding * LEBESGUE, -one);
-        (budget, (steady & unsure.simd_le(UNSURE)).to_bitmask())
+        let remaining = bounded.select(remaining - rounding * LEBESGUE, -one);
+        (remaining, (steady & unsure.simd_le(UNSURE)).to_bitmask())
     }
 
     /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
     #[inline(always)]
     pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
-        let vector = inlined!(|of: &[Affine4; 3]| three!(|axis| at.affine(&of[axis], xy)));
+        let vector = inlined!(|of: &[Affine<[f32; 4]>; 3]| three!(|axis| at.affine(&of[axis], xy)));
         let unit = inlined!(|vector: [f32x16<S>; 3]| {
             let inverse = 1.0 / dot(&vector, &vector).sqrt();
             three!(|axis| vector[axis] * inverse)

@@ -5,7 +5,6 @@
 use glam::DVec3;
 
 use super::*;
-use crate::shading::affine::Affine;
 use crate::shading::field::{Extents, MAX_RADIUS};
 use crate::shading::gloss::tests::gloss;
 use crate::shading::interpolation::NODE;
@@ -166,7 +165,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
         let rounding = 1e-6;
         let (cosine, lit, dark) = side(&n, &l, Number::splat(token(), rounding));
         let range = reflection(&n, &l, &o, cosine);
-        let [most, least, sine] = range.map(one);
+        let [most, least, sine] = [range.most, range.least, range.sine].map(one);
         for row in 0..=6 {
             for column in 0..=6 {
                 let [x, y] = [column, row].map(|step| f64::from(step) / 3.0 - 1.0);
@@ -180,7 +179,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
             }
         }
         let gloss = gloss(shininess, 0.5);
-        let most = power(shininess as f32, range[0]);
+        let most = power(shininess as f32, range.most);
         let bound = one(highlight_error(&gloss, &n, &l, &o, range, most));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
@@ -202,8 +201,9 @@ fn a_quotient_strays_no_further_than_its_bound() {
             random.within(-99.0, 99.0),
             random.within(-99.0, 99.0),
         ];
-        let lanes = |number| Number::splat(token(), number);
-        let bound = one(quotient_error([a, b, c].map(lanes), [e, g].map(lanes)));
+        let [numerator, w] = [Affine::new(a, b, c), Affine::new(1.0, e, g)]
+            .map(|of| of.map(|number| Number::splat(token(), number)));
+        let bound = one(quotient_error(numerator, w));
         let error = interpolation(|x, y| (a + b * x + c * y) / (1.0 + e * x + g * y));
         ratios.push((error - 1e-10) / (bound + 1e-12));
     }
@@ -214,9 +214,10 @@ fn a_quotient_strays_no_further_than_its_bound() {
 fn the_bound_of_a_quotient_is_the_one_on_paper() {
     // The third derivative of (1 - t) / (1 + t / 2) is largest at t = -1: 6 (1 + 1/2) (1/2)^2 / (1/2)^4 = 36.
     let [unit, half, zero, most] = [1.0, 0.5, 0.0, 36.0].map(|it| Number::splat(token(), it));
-    for [along, across] in [[unit, zero], [zero, unit]] {
-        let found = quotient_error([unit, -along, -across], [half * along, half * across]);
-        let expected = interpolation_error([most * along, most * across]);
+    for [along, down] in [[unit, zero], [zero, unit]] {
+        let w = Affine::new(unit, half * along, half * down);
+        let found = quotient_error(Affine::new(unit, -along, -down), w);
+        let expected = interpolation_error([most * along, most * down]);
         assert_eq!(one(found), one(expected));
     }
 }
@@ -267,7 +268,11 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     let resting = Field::new(&vector, &extents);
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
-    let range = [0.5, 0.5, 0.75_f64.sqrt()].map(number);
+    let range = Reflection {
+        most: number(0.5),
+        least: number(0.5),
+        sine: number(0.75_f64.sqrt()),
+    };
     let found = highlight_error(
         &gloss(1.0, 0.5),
         &resting,

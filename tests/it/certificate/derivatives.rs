@@ -181,7 +181,7 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
         let none = normal.radius * 0.0;
         let (cosine, ..) = side(&normal, &light, none);
         let range = reflection(&normal, &light, &eye, cosine);
-        if range[1].as_array()[0] <= 0.0 {
+        if range.least.as_array()[0] <= 0.0 {
             continue;
         }
         let index = case % SHININESS.len();
@@ -191,7 +191,7 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             let (both, across) = (times(&dot(&n, &l), &dot(&n, &o)), dot(&l, &o));
             power(&from_fn(|k| 2.0 * both[k] - across[k]), shininess)
         });
-        let most = bound::power(shininess as f32, range[0]);
+        let most = bound::power(shininess as f32, range.most);
         let (material, dark) = (white(shininess), Illumination::default());
         let gloss = Gloss::new(&Surface::new(&material, &dark, DVec3::ZERO), 0.5);
         let bound = highlight_error(&gloss, &normal, &light, &eye, range, most);
