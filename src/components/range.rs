@@ -43,13 +43,13 @@ impl<const LEAST: u64, const MOST: u64> TryFrom<f64> for Within<LEAST, MOST> {
         if Self::RANGE.contains(&number) {
             return Ok(Within(number + 0.0));
         }
-        let least = if least == f64::from_bits(1) {
-            "above 0".to_owned()
+        let range = if least == f64::from_bits(1) {
+            format!("above 0, at most {most:?}")
         } else {
-            format!("from {least:?}")
+            format!("from {least:?} to {most:?}")
         };
         Err(format!(
-            "invalid value: {number:?}, expected a number {least} to {most:?}"
+            "invalid value: {number:?}, expected a number {range}"
         ))
     }
 }

@@ -24,6 +24,8 @@ use crate::trade::{Measurement, front};
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
+/// The room beside the chart, in points, into which half of the last time's label reaches.
+const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The line joins the best trades. A ring marks the \
                        method on screen, and a white line the budget. A click on a dot chooses its method. Errors above \
                        one level are visible.";
@@ -63,7 +65,7 @@ impl App {
         let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
         let is_current = self.facts.trade.is_current;
-        let mut axes = axes();
+        let mut axes = axes().width(ui.available_width() - BESIDE);
         if known.is_empty() {
             axes = axes.include_x(-1.0).include_x(1.0);
         }

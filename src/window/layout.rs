@@ -91,7 +91,7 @@ impl App {
         let (name, is_shown) = match self.turn() {
             Some(turn) if is_wipe => (self.side_name(&self.viewer().sides[turn]), false),
             Some(0) => (self.side_name(&Side::Reference), false),
-            None if is_wipe => ("Two pictures".to_owned(), false),
+            None if is_wipe => ("Two pictures; drag the line".to_owned(), false),
             _ => (self.side_name(&Side::Picture), true),
         };
         ui.label(name).on_hover_text(METHOD);
