@@ -72,7 +72,8 @@ impl App {
             ui.weak("The scene has no lights.");
         }
         let rows = |ui: &mut Ui, places: std::ops::Range<usize>| {
-            Grid::new("lights").num_columns(4).show(ui, |ui| {
+            let grid = Grid::new("lights").num_columns(4).min_col_width(0.0);
+            grid.show(ui, |ui| {
                 for place in places {
                     self.light_row(ui, lights[place], place);
                     ui.end_row();
