@@ -1,4 +1,4 @@
-# Levels in multiples of 1/256, `interpolation::FIXED` = 3b-9: a number between 2^15 and 2^16 is rounded to such a multiple.
+# Levels in multiples of 1/256, `interpolation::FIXED_ERROR` = 3b-9: a number between 2^15 and 2^16 is rounded to such a multiple.
 # Range: 49152 and half a level, and a value from 0 to 256. What f32 makes of the terms v, w, a, b is counted in rows.v.
 @rnd = float<ieee_32, ne>;
 m = rnd(M);                  # `Curve`: the middle, then the terms in x, then those in y

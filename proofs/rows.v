@@ -1,4 +1,4 @@
-(* A value in a row in f32, `interpolation::ROUNDING`, relative to the sum of the sizes of its terms.
+(* A value in a row in f32, `interpolation::ROW_ERROR`, relative to the sum of the sizes of its terms.
 
    By hand: each rounding multiplies all terms that were summed so far by 1 + e, |e| <= u = 2^-24. The term in x^2 y^2 is
    rounded most often: its coefficient, two products and two sums with powers of x, as many with powers of y (9), then, of the

@@ -77,7 +77,7 @@ pub const OUTLINE: u8 = 0x80;
 
 /// The face of a triangle: cuboid * 6 + face, the same for both triangles of a face. [`NO_TRIANGLE`] gives a number that
 /// no cuboid has.
-pub fn face(triangle: u32) -> u32 {
+pub fn face_id(triangle: u32) -> u32 {
     triangle / 2
 }
 

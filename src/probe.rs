@@ -11,7 +11,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 
 use crate::components::{FileOrder, Light, Material, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers, face};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers, face_id};
 use crate::memory::OutOfMemory;
 use crate::reference::{self, LightSample, Sample};
 use crate::scene::Scene;
@@ -104,7 +104,7 @@ pub fn section(
     let row = (y - top) * width;
     let triangles = &own.triangles()[row..row + width];
     let is_seen = |column: &usize| {
-        triangles[x] != NO_TRIANGLE && face(triangles[*column]) == face(triangles[x])
+        triangles[x] != NO_TRIANGLE && face_id(triangles[*column]) == face_id(triangles[x])
     };
     let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
     let last = (x..width).take_while(is_seen).last().unwrap_or(x);
@@ -121,7 +121,7 @@ pub fn section(
         let surface = cuboid.map(|(_, name, material, mode)| {
             let levels = |frame: &Frame| frame.levels()[row + x].map(f64::from);
             let sample =
-                sample.filter(|it| face((12 * it.object + it.triangle) as u32) == face(id));
+                sample.filter(|it| face_id((12 * it.object + it.triangle) as u32) == face_id(id));
             // Levels beyond f32 come from the reference. They give the same byte.
             let finite = |frame: &Frame, exact: fn(&Sample) -> DVec3| {
                 let drawn = DVec3::from(levels(frame));

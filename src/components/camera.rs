@@ -88,8 +88,8 @@ pub struct Lens {
     pub projection: Projection,
     /// See [`Camera::pixel_pitch`].
     pub pitch: f64,
-    /// Half the picture's width and height in pixels.
-    pub half: [f64; 2],
+    /// The middle of the picture, in pixels from its corner.
+    pub middle: [f64; 2],
 }
 
 #[cfg(test)]

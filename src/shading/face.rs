@@ -56,11 +56,11 @@ fn plane(
     half: DVec3,
     rays: &Rays,
 ) -> (DVec3, Affine<f64>, Affine<f64>) {
-    let across = index / 2;
+    let axis = index / 2;
     let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let outwards = transform.axes.col(across) * sign;
+    let outwards = transform.axes.col(axis) * sign;
     let height = Affine {
-        centre: outwards.dot(-(transform.position - rays.lens.eye)) - half[across],
+        centre: outwards.dot(-(transform.position - rays.lens.eye)) - half[axis],
         ..rays.start.map(|o| outwards.dot(o))
     };
     (outwards, rays.direction.map(|d| -outwards.dot(d)), height)
@@ -96,8 +96,7 @@ pub struct Face<'a> {
     height: Affine<f64>,
     /// u, v and 1, times w: from -1 to 1 along the face's axes.
     pub uvw: Affine,
-    /// w times twice the weight of the corner across the diagonal: positive on the first triangle, minus the other's on the
-    /// second.
+    /// w times [`Self::diagonal_at`].
     pub diagonal: Affine<f64>,
     /// An upper bound of w |d(u, v) / d pixel| on the face: u and v are at most 1 there.
     uv_gradient: f64,
@@ -144,7 +143,7 @@ impl<'a> Face<'a> {
         let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
         Face {
             uvw,
-            diagonal: uvw.map(|it| face.across([it.x, it.y])),
+            diagonal: uvw.map(|it| face.diagonal_at([it.x, it.y])),
             uv_gradient: moved(u.dx, v.dx, w.dx) + moved(u.dy, v.dy, w.dy),
             ..face
         }
@@ -170,7 +169,7 @@ impl<'a> Face<'a> {
     /// On an edge the weight of the corner opposite is exactly 0, so a very large value there does not round the others away.
     pub fn blend(&self, values: &[DVec3; 8], [u, v]: [f64; 2]) -> DVec3 {
         let [a, b, c, d] = FACES[self.index].map(|corner| values[usize::from(corner)]);
-        let third = if self.across([u, v]) < 0.0 { d } else { b };
+        let third = if self.diagonal_at([u, v]) < 0.0 { d } else { b };
         let (least, most) = (u.min(v), u.max(v));
         (a * (1.0 - most) + third * (most - least) + c * (1.0 + least)) / 2.0
     }
@@ -178,7 +177,7 @@ impl<'a> Face<'a> {
     /// w times the vector to a light, whose position is given from the eye and from the cuboid's centre, in world units.
     ///
     /// The affine part of w (L - O) - H d. In perspective O and H are constant, in orthographic projection w and d are, so
-    /// there are no terms of second order. Its component across the face is w times the light's height above the face. The
+    /// there are no terms of second order. Its component along the normal is w times the light's height above the face. The
     /// height is computed from the nearer of the two positions, so that a light one ulp above the face has a positive
     /// height.
     pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
@@ -193,9 +192,9 @@ impl<'a> Face<'a> {
         if length(light) < length(from_centre) {
             return towards;
         }
-        let across = self.outwards;
-        let above = across.dot(from_centre) - self.half_height;
-        let lifted = |v: DVec3, w: f64| v - across * across.dot(v) + across * above * w;
+        let outwards = self.outwards;
+        let above = outwards.dot(from_centre) - self.half_height;
+        let lifted = |v: DVec3, w: f64| v - outwards * outwards.dot(v) + outwards * above * w;
         Affine {
             centre: lifted(towards.centre, w.centre),
             dx: lifted(towards.dx, w.dx),
@@ -274,8 +273,9 @@ impl<'a> Face<'a> {
         })
     }
 
-    /// Twice the weight of the first triangle's corner across the diagonal: below zero on the second triangle.
-    pub fn across(&self, [u, v]: [f64; 2]) -> f64 {
+    /// Twice the weight of the first triangle's corner that is not on the diagonal: zero on the diagonal, and below zero on
+    /// the second triangle.
+    pub fn diagonal_at(&self, [u, v]: [f64; 2]) -> f64 {
         let [x, y] = self.corners[1];
         x * u + y * v
     }

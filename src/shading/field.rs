@@ -9,7 +9,7 @@ use fearless_simd::{Simd, f64x4, mask64x4};
 use super::affine::Affine;
 use super::lanes::dot;
 use super::square::Square;
-use crate::components::length;
+use crate::components::{Lens, length};
 use crate::simd::{four, inlined, three, two};
 
 /// The largest relative radius of a vector whose direction is bounded.
@@ -27,13 +27,13 @@ pub struct Extents<S: Simd> {
 }
 
 impl<S: Simd> Extents<S> {
-    /// Those of four squares; their middles from `origin`, in pixels from the picture's corner.
+    /// Those of four squares of the picture of a lens.
     #[inline(always)]
-    pub fn new(simd: S, squares: &[Square; 4], origin: [f64; 2]) -> Self {
+    pub fn new(simd: S, squares: &[Square; 4], lens: &Lens) -> Self {
         let middles = four!(|square| squares[square].middle());
         let halves = four!(|square| squares[square].half());
         Extents {
-            middle: two!(|axis| f64x4::from_fn(simd, |it| middles[it][axis]) - origin[axis]),
+            middle: two!(|axis| f64x4::from_fn(simd, |it| middles[it][axis]) - lens.middle[axis]),
             half: two!(|axis| f64x4::from_fn(simd, |it| halves[it][axis])),
         }
     }
@@ -105,9 +105,9 @@ impl<S: Simd> Field<S> {
         self.radius.simd_lt(MAX_RADIUS)
     }
 
-    /// The error of its direction in f32, in units of U; [`super::rounding`] derives it.
+    /// The rounding error of its direction in f32, in units of U; [`super::rounding`] derives it.
     #[inline(always)]
-    pub fn rounding(&self) -> f64x4<S> {
+    pub fn direction_rounding(&self) -> f64x4<S> {
         let infinite = f64x4::splat(self.radius.token(), f64::INFINITY);
         let error = (self.radius * 6.0 + 3.0) / self.shortest;
         self.shortest.simd_gt(0.0).select(error, infinite)

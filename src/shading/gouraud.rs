@@ -49,7 +49,7 @@ pub struct Gouraud<'a> {
 /// ```
 /// The triangles' w C differ by |[`Face::diagonal`]| times a constant, and it reaches its largest size on the square on
 /// either side of the diagonal, so where both are seen they differ by at most twice the largest there.
-const ROUNDING: f64 = 80.0 * U;
+const COLOR_ERROR: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
@@ -100,18 +100,22 @@ impl<'a> Gouraud<'a> {
             scaled(&self.colors[triangle].map(|color| color[channel]))
         }));
         let zero = splat(0.0);
-        let mut largest = zero;
+        let [mut largest, mut error] = [zero; 2];
         for triangle in 0..2 {
             for color in colors[triangle] {
                 let most = color.centre.abs() + color.dx.abs() + color.dy.abs();
                 largest = largest.max(meets[triangle].select(most, zero));
+                if interpolate {
+                    let quotient = bound::quotient_error(color, w);
+                    error = error.max(meets[triangle].select(quotient, zero));
+                }
             }
         }
         let shortest = 1.0 - w.dx.abs() - w.dy.abs();
         // A square with pixels that may be clamped to the face is not interpolated.
         let steady = (middle * shortest).simd_gt(self.face.least_steady().max(0.0));
         let bounded = steady & shortest.simd_gt(0.5);
-        let rounding = largest * ROUNDING;
+        let rounding = largest * COLOR_ERROR;
         self.w_by_square = single(w);
         self.diagonal_by_square = single(diagonal);
         self.colors_by_square =
@@ -121,18 +125,8 @@ impl<'a> Gouraud<'a> {
         if !interpolate {
             return (None, 0);
         }
-        let mut error = zero;
-        for channel in 0..3 {
-            let [first, second] = two!(|triangle| colors[triangle][channel]);
-            let color = Affine {
-                centre: meets[0].select(first.centre, second.centre),
-                dx: meets[0].select(first.dx, second.dx),
-                dy: meets[0].select(first.dy, second.dy),
-            };
-            error = error.max(bound::quotient_error(color, w));
-        }
         let is_cut = meets[0] & meets[1];
-        let remaining = (bounded & !is_cut).select(
+        let rest = (bounded & !is_cut).select(
             splat(self.tolerance) - error - rounding * LEBESGUE,
             splat(-1.0),
         );
@@ -143,7 +137,7 @@ impl<'a> Gouraud<'a> {
                 [red, green, blue, f32x16::splat(simd, 0.0)]
             }),
         );
-        let interpolant = Interpolant::new(terms, [zero; 3], remaining);
+        let interpolant = Interpolant::new(terms, [zero; 3], rest);
         (Some(interpolant), 0b1111)
     }
 
@@ -198,7 +192,7 @@ mod tests {
             // Over the smallest w.
             let wrong_side = 2.0 * 12.0 * largest;
             let error = level.error + 2.0 * level.value.abs() + wrong_side;
-            most = most.max(error * U / (ROUNDING * largest));
+            most = most.max(error * U / (COLOR_ERROR * largest));
         }
         println!("{most:.3} of the count");
         assert!(most <= 1.0, "the count is {most} times too small");

@@ -6,7 +6,7 @@
 //! x and y run from -1 to 1 over the square. Quadratic terms are dropped if the rest of the tolerance allows it: x^2 is
 //! replaced by 1/2, the middle of its range, with an error of at most 1/2 (economization; Lanczos 1938).
 //!
-//! Values are multiples of 1/256 level if more than `FIXED` levels of the tolerance are left, no channel leaves
+//! Values are multiples of 1/256 level if more than `FIXED_ERROR` levels of the tolerance are left, no channel leaves
 //! `FIXED_RANGE` and no terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a
 //! frame of bench-close takes 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
 
@@ -72,10 +72,10 @@ pub fn sampled<S: Simd>(
 ///   display                2     the display step rounds the next larger float
 /// ```
 /// A thousandth is added, because each rounding enlarges the errors before it (`proofs/rows.v`).
-pub(super) const ROUNDING: f64 = 14.001 * U;
+pub(super) const ROW_ERROR: f64 = 14.001 * U;
 
 /// The error of multiples of 1/256 level: three roundings to the nearest multiple, `proofs/fixed.g`.
-pub(super) const FIXED: f64 = 1.5 / 256.0;
+pub(super) const FIXED_ERROR: f64 = 1.5 / 256.0;
 
 /// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
 const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
@@ -86,21 +86,20 @@ pub struct Interpolant<S: Simd> {
     /// max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
     terms: [[[f64x4<S>; 3]; 3]; 4],
     /// The factors of n.l, in levels; 0 where no terminator crosses.
-    crossing: [f64x4<S>; 3],
-    /// None where the budget does not suffice or a sample is not a number.
+    terminator: [f64x4<S>; 3],
+    /// None where the rest of the tolerance does not suffice or a sample is not a number.
     pub kinds: [Option<TileKind>; 4],
     /// The squares that are drawn in multiples of 1/256 level.
     fixed: Squares,
 }
 
 impl<S: Simd> Interpolant<S> {
-    /// Chooses the cheapest rows whose error is within the budget, which is what is left of the tolerance. The kind is `None`
-    /// if nothing is left.
+    /// Chooses the cheapest rows whose error is at most the rest of the tolerance. The kind is `None` if nothing is left.
     #[inline(always)]
-    pub fn new(terms: [[[f64x4<S>; 3]; 3]; 4], crossing: [f64x4<S>; 3], budget: f64x4<S>) -> Self {
-        let zero = f64x4::splat(budget.token(), 0.0);
+    pub fn new(terms: [[[f64x4<S>; 3]; 3]; 4], terminator: [f64x4<S>; 3], rest: f64x4<S>) -> Self {
+        let zero = f64x4::splat(rest.token(), 0.0);
         let [mut size, mut error] = [zero; 2];
-        let mut inside = budget.simd_gt(0.0);
+        let mut inside = rest.simd_gt(0.0);
         // A maximum may lose a NaN, so finiteness is tested on its own.
         let mut finite = inside;
         let mut cosine = zero;
@@ -110,29 +109,29 @@ impl<S: Simd> Interpolant<S> {
         for channel in 0..3 {
             let c = &terms[channel];
             // `beyond` is the sum of all nonlinear terms; `linear_error` is the error if x^2 and y^2 are replaced by 1/2.
-            let [cubic, square] = [c[1][2].abs() + c[2][1].abs(), c[0][2].abs() + c[2][0].abs()];
+            let [cubic, squared] = [c[1][2].abs() + c[2][1].abs(), c[0][2].abs() + c[2][0].abs()];
             let quartic = c[2][2].abs();
-            let beyond = square + c[1][1].abs() + cubic + quartic;
-            let linear_error = (square + cubic) * 0.5 + c[1][1].abs() + quartic * 0.75;
+            let beyond = squared + c[1][1].abs() + cubic + quartic;
+            let linear_error = (squared + cubic) * 0.5 + c[1][1].abs() + quartic * 0.75;
             let linear = c[0][1].abs() + c[1][0].abs();
             let radius = linear + beyond;
             inside = inside
                 & (c[0][0] - radius).simd_ge(FIXED_RANGE[0])
                 & (c[0][0] + radius).simd_le(FIXED_RANGE[1]);
-            let all = c[0][0].abs() + radius + cosine * crossing[channel];
+            let all = c[0][0].abs() + radius + cosine * terminator[channel];
             finite &= all.simd_lt(f64::INFINITY);
             size = size.max(all);
             error = error.max(linear_error);
         }
-        let left = budget - size * ROUNDING;
-        let fixed = inside & left.simd_gt(FIXED);
-        let allowed = fixed.select(left - FIXED, left);
-        let possible = (finite & left.simd_gt(0.0)).to_bitmask();
-        let all_levels = crossing[0] + crossing[1] + crossing[2];
-        let crosses = all_levels.simd_gt(0.0).to_bitmask();
+        let rest = rest - size * ROW_ERROR;
+        let fixed = inside & rest.simd_gt(FIXED_ERROR);
+        let allowed = fixed.select(rest - FIXED_ERROR, rest);
+        let possible = (finite & rest.simd_gt(0.0)).to_bitmask();
+        let all_levels = terminator[0] + terminator[1] + terminator[2];
+        let has_terminator = all_levels.simd_gt(0.0).to_bitmask();
         let curved = error.simd_gt(allowed).to_bitmask();
         let kinds = four!(|index| {
-            let kind = if has(crosses, index) {
+            let kind = if has(has_terminator, index) {
                 TileKind::Terminator
             } else if has(curved, index) {
                 TileKind::Quadratic
@@ -143,9 +142,9 @@ impl<S: Simd> Interpolant<S> {
         });
         Interpolant {
             terms,
-            crossing,
+            terminator,
             kinds,
-            fixed: fixed.to_bitmask() & !crosses,
+            fixed: fixed.to_bitmask() & !has_terminator,
         }
     }
 
@@ -160,11 +159,11 @@ impl<S: Simd> Interpolant<S> {
     /// The rows of one of the squares, of any kind.
     #[inline(always)]
     pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
-        let crossing = (self.kinds[index] == Some(TileKind::Terminator))
-            .then(|| three!(|channel| self.crossing[channel].as_array()[index] as f32));
+        let terminator = (self.kinds[index] == Some(TileKind::Terminator))
+            .then(|| three!(|channel| self.terminator[channel].as_array()[index] as f32));
         let fixed = has(self.fixed, index);
         let color = self.color(index, square);
-        Curve::new(simd, &color, square, fixed, crossing)
+        Curve::new(simd, &color, square, fixed, terminator)
     }
 
     /// The channels of one of the squares by power of y and of x, in pixels from its middle.

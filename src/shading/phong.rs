@@ -140,28 +140,25 @@ impl<'a> Phong<'a> {
         extents: &Extents<S>,
         interpolate: bool,
     ) -> (Option<Interpolant<S>>, Squares) {
-        let (remaining, promising) = self.classify(extents, interpolate);
+        let (rest, promising) = self.classify(extents, interpolate);
         if !interpolate {
             return (None, 0);
         }
-        if !remaining.simd_gt(0.0).any_true() {
+        if !rest.simd_gt(0.0).any_true() {
             return (None, promising);
         }
         let zero = f64x4::splat(simd, 0.0);
         let sample = inlined!(|xy| self.levels(simd, LaneLayout::Nodes, xy));
         let terms = sampled(simd, sample);
-        let mut crossing = [zero; 3];
+        let mut terminator = [zero; 3];
         for light in self.lights.iter().filter(|light| light.crosses != 0) {
             let crosses = mask64x4::from_bitmask(simd, light.crosses);
             for channel in 0..3 {
                 let levels = f64x4::splat(simd, f64::from(light.diffuse[channel]));
-                crossing[channel] += crosses.select(levels, zero);
+                terminator[channel] += crosses.select(levels, zero);
             }
         }
-        (
-            Some(Interpolant::new(terms, crossing, remaining)),
-            promising,
-        )
+        (Some(Interpolant::new(terms, terminator, rest)), promising)
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -190,27 +187,27 @@ impl<'a> Phong<'a> {
         // A square with pixels that may be clamped to the face is not interpolated.
         let steady = least_w.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
-        let mut remaining = splat(self.tolerance);
+        let mut rest = splat(self.tolerance);
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
-        let (mut left_out, mut crossed, mut unsure) = (zero, none, zero);
+        let (mut left_out, mut has_terminator, mut unsure) = (zero, none, zero);
         self.normal_by_square = normal.single();
         self.eye_by_square = eye.single();
         self.shines = 0;
         for light in self.lights.iter_mut() {
             let to_light = Field::new(&light.towards, extents);
-            let roundings = rounding.cosine(&to_light);
-            let (cosine, lit, dark) = bound::side(&normal, &to_light, roundings * U);
+            let cosine_rounding = rounding.cosine(&to_light);
+            let (cosine, lit, dark) = bound::side(&normal, &to_light, cosine_rounding * U);
             let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
             let (mut shines, mut error, mut doubt) = (none, zero, zero);
-            rounding.add(dark.select(zero, diffuse), roundings);
+            rounding.add(dark.select(zero, diffuse), cosine_rounding);
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
                 shines = reflection.most.simd_gt(self.gloss.drawn_above) & !dark;
                 left_out += (shines | dark).select(zero, splat(self.gloss.faint));
                 let chord = self.gloss.propagated(rounding.chord(&to_light));
                 rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
-                doubt = (lit | !shines).select(zero, roundings * U);
+                doubt = (lit | !shines).select(zero, cosine_rounding * U);
                 if interpolate {
                     // All of a highlight that is not drawn is missing.
                     error = bound::power(self.gloss.shininess, reflection.most);
@@ -226,13 +223,13 @@ impl<'a> Phong<'a> {
             if interpolate {
                 // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
                 let idle = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-                crosses = !(lit | dark | idle | shines | crossed);
-                crossed |= crosses;
+                crosses = !(lit | dark | idle | shines | has_terminator);
+                has_terminator |= crosses;
                 let sure = to_light.is_direction_bounded() & (lit | dark | idle | crosses);
                 unsure += sure.select(zero, one);
                 bounded &= sure;
                 let error = error * specular + bound::cosine_error(&normal, &to_light) * diffuse;
-                remaining -= dark.select(zero, error);
+                rest -= dark.select(zero, error);
             }
             light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
@@ -243,8 +240,8 @@ impl<'a> Phong<'a> {
         }
         let rounding = rounding.levels();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
-        let remaining = bounded.select(remaining - rounding * LEBESGUE, -one);
-        (remaining, (steady & unsure.simd_le(UNSURE)).to_bitmask())
+        let rest = bounded.select(rest - rounding * LEBESGUE, -one);
+        (rest, (steady & unsure.simd_le(UNSURE)).to_bitmask())
     }
 
     /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.

@@ -59,8 +59,8 @@ impl<S: Simd> Rounding<S> {
     pub fn new(normal: &Field<S>, eye: &Field<S>, ambient: f64) -> Self {
         let lanes = |number| f64x4::splat(normal.radius.token(), number);
         Rounding {
-            normal: normal.rounding(),
-            eye: eye.rounding(),
+            normal: normal.direction_rounding(),
+            eye: eye.direction_rounding(),
             error: lanes(0.0),
             largest: lanes(ambient),
             terms: lanes(1.0),
@@ -70,13 +70,13 @@ impl<S: Simd> Rounding<S> {
     /// The error of n.l.
     #[inline(always)]
     pub fn cosine(&self, light: &Field<S>) -> f64x4<S> {
-        self.normal + light.rounding() + COSINE
+        self.normal + light.direction_rounding() + COSINE
     }
 
     /// The error of |r - o|.
     #[inline(always)]
     pub fn chord(&self, light: &Field<S>) -> f64x4<S> {
-        self.normal * 2.0 + light.rounding() + self.eye + CHORD
+        self.normal * 2.0 + light.direction_rounding() + self.eye + CHORD
     }
 
     /// Adds a term of at most these levels, whose factor of at most 1 has this error.
@@ -160,7 +160,7 @@ mod tests {
     }
 
     fn turned(vector: &Moving) -> f64 {
-        one(field(vector).rounding())
+        one(field(vector).direction_rounding())
     }
 
     /// The largest share of a count that an analysis finds.
@@ -291,12 +291,12 @@ mod tests {
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
         assert!(power.contains(&format!("<= {POWER_ERROR}/1.")));
         let rows = goal(include_str!("../../proofs/rows.v"), "Goal");
-        let thousandths = (1000.0 * interpolation::ROUNDING / U).round();
+        let thousandths = (1000.0 * interpolation::ROW_ERROR / U).round();
         assert!(rows.contains(&format!("- 1) <= {thousandths}/1000 * u.")));
         let fixed = goal(include_str!("../../proofs/fixed.g"), "->");
         assert!(fixed.contains(&format!(
             "(M + v + w)| <= {}b-9",
-            512.0 * interpolation::FIXED
+            512.0 * interpolation::FIXED_ERROR
         )));
         let cross = goal(include_str!("../../proofs/cross.g"), "->");
         assert!(cross.contains("<= 34b-53 }"));

@@ -30,7 +30,7 @@ pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
 
 /// 1.5 * 2^15: adding it to a float of size below 2^14 rounds the float to a multiple of 1/256, and the low bits of the sum are
 /// 256 times that.
-const FIXED_POINT: f32 = 49_152.0;
+const FIXED_OFFSET: f32 = 49_152.0;
 /// The same plus a half: then the whole part is the byte.
 const BIAS: f64 = 49_152.5;
 
@@ -82,7 +82,7 @@ impl<S: Simd> Ramp<S> {
 #[inline(always)]
 fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
     let [red, green, blue] =
-        three!(|channel| (levels[channel] + FIXED_POINT).to_bits() - FIXED_POINT.to_bits());
+        three!(|channel| (levels[channel] + FIXED_OFFSET).to_bits() - FIXED_OFFSET.to_bits());
     [(red << 16) + blue, green]
 }
 
@@ -115,10 +115,10 @@ pub struct Curve<S: Simd> {
     terms: [[f32x16<S>; 3]; 4],
     /// The square's first pixel from the middle, in pixels.
     first: [f32; 2],
-    /// Whether [`FIXED_POINT`] and a half are part of the levels, so that these come in multiples of 1/256.
+    /// Whether [`FIXED_OFFSET`] and a half are part of the levels, so that these come in multiples of 1/256.
     fixed: bool,
     /// The factors of n.l, in levels.
-    crossing: Option<[f32; 3]>,
+    terminator: Option<[f32; 3]>,
 }
 
 impl<S: Simd> Curve<S> {
@@ -129,7 +129,7 @@ impl<S: Simd> Curve<S> {
         color: &[[[f64; 3]; 3]; 4],
         square: &Square,
         fixed: bool,
-        crossing: Option<[f32; 3]>,
+        terminator: Option<[f32; 3]>,
     ) -> Self {
         let mut single = [[[0.0; 3]; 3]; 4];
         for channel in 0..4 {
@@ -142,7 +142,7 @@ impl<S: Simd> Curve<S> {
             terms: [[f32x16::splat(simd, 0.0); 3]; 4],
             first: square.first().map(|first| first as f32),
             fixed,
-            crossing,
+            terminator,
         }
     }
 
@@ -170,15 +170,15 @@ impl<S: Simd> Rows<S> for Curve<S> {
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
         let mut levels = three!(|channel| self.at(row, channel));
-        if let Some(crossing) = self.crossing {
+        if let Some(terminator) = self.terminator {
             let cosine = self.at(row, 3);
             let lit = cosine.max(f32x16::splat(cosine.token(), 0.0));
             for channel in 0..3 {
-                levels[channel] += lit * crossing[channel];
+                levels[channel] += lit * terminator[channel];
             }
         }
         if self.fixed {
-            levels = three!(|channel| levels[channel] - FIXED_POINT - 0.5);
+            levels = three!(|channel| levels[channel] - FIXED_OFFSET - 0.5);
         }
         levels
     }

@@ -60,8 +60,8 @@ impl Shader<'_> {
             let levels = inlined!(|xy| self.levels(simd, index, xy));
             outlined!(simd, pixels.evaluate(simd, square.half(), levels));
         }
-        let (middle, origin) = (square.middle(), self.face().rays.lens.half);
-        let middle = two!(|axis| middle[axis] - origin[axis]);
+        let (middle, picture) = (square.middle(), self.face().rays.lens.middle);
+        let middle = two!(|axis| middle[axis] - picture[axis]);
         pixels.evaluate_f64(middle, !in_f32, |x, y| self.levels_f64(x, y));
     }
 

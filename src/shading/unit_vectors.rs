@@ -81,7 +81,7 @@ impl<'a> UnitVectors<'a> {
     /// See [`super::Shader::levels_f64`].
     pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         let ([u, v], _) = self.face.uv_at(x, y);
-        let triangle = usize::from(self.face.across([u, v]) < 0.0);
+        let triangle = usize::from(self.face.diagonal_at([u, v]) < 0.0);
         let weights = self.weights[triangle] * DVec3::new(u, v, 1.0);
         // Weights times depths add up to the depth of the point, which is positive.
         let weights = weights / weights.element_sum();

@@ -77,7 +77,7 @@ fn compare<S: Simd>(
         spans.within(rows).any(|(row, span)| {
             band.will_draw(row, &span, !several);
             let first = (row - rows.start) * words;
-            several && cover(&mut scratch.covered[first..first + words], span)
+            several && set_bits(&mut scratch.covered[first..first + words], span)
         })
     });
     band.clear(rows.clone(), overlaps);
@@ -87,7 +87,7 @@ fn compare<S: Simd>(
     } else if band.levels.is_empty() {
         return;
     }
-    let middle = list.rays.lens.half;
+    let middle = list.rays.lens.middle;
     for piece in list.strip(strip) {
         for (row, span) in list.spans(piece).within(rows) {
             let pixels = band.indices(row, &span);
@@ -110,7 +110,7 @@ fn compare<S: Simd>(
 
 /// Sets the bits of a span in a row of pixels. Returns whether one of them was set.
 #[inline(always)]
-fn cover(row: &mut [u64], span: Range<usize>) -> bool {
+fn set_bits(row: &mut [u64], span: Range<usize>) -> bool {
     let [first, last] = [span.start, span.end - 1];
     let mut overlap = 0;
     for word in first / 64..=last / 64 {
@@ -178,11 +178,11 @@ mod tests {
         for one in &spans {
             for other in &spans {
                 let mut row = [0; 3];
-                assert!(!cover(&mut row, one.clone()));
+                assert!(!set_bits(&mut row, one.clone()));
                 let both = (0..192).filter(|x| one.contains(x) && other.contains(x));
                 let shares_pixels = both.count() > 0;
                 assert_eq!(
-                    cover(&mut row, other.clone()),
+                    set_bits(&mut row, other.clone()),
                     shares_pixels,
                     "{one:?} {other:?}"
                 );

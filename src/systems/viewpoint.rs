@@ -21,7 +21,7 @@ impl Lens {
             near: view.camera.near(),
             projection: view.projection,
             pitch: view.camera.pixel_pitch(view.projection, view.size[1]),
-            half: view.size.map(|pixels| pixels as f64 / 2.0),
+            middle: view.size.map(|pixels| pixels as f64 / 2.0),
         }
     }
 
@@ -43,8 +43,8 @@ impl Lens {
     /// The projection of such a homogeneous point, in pixels from the top left corner; `w` must be positive.
     pub fn pixel(&self, point: DVec3) -> [f64; 2] {
         [
-            self.half[0] + point.x / point.z / self.pitch,
-            self.half[1] - point.y / point.z / self.pitch,
+            self.middle[0] + point.x / point.z / self.pitch,
+            self.middle[1] - point.y / point.z / self.pitch,
         ]
     }
 }

@@ -8,7 +8,7 @@
 
 use serde::Serialize;
 
-use crate::frame::{Frame, NO_TRIANGLE, face};
+use crate::frame::{Frame, NO_TRIANGLE, face_id};
 use crate::reference::{Interval, Real, Truth};
 
 /// A picture to compare, row by row from the top.
@@ -120,7 +120,7 @@ pub fn pixel_error<T: Into<f64>, U: Into<f64>>(left: [T; 3], right: [U; 3]) -> f
 impl<T> Picture<'_, T> {
     /// Whether both pictures show the same face at this pixel, counted row by row.
     pub fn shows_as<U>(&self, other: &Picture<U>, pixel: usize) -> bool {
-        face(self.triangles[pixel]) == face(other.triangles[pixel])
+        face_id(self.triangles[pixel]) == face_id(other.triangles[pixel])
             && self.triangles[pixel] != NO_TRIANGLE
     }
 }

@@ -1,6 +1,6 @@
 //! Drawn squares against the polynomials they are drawn from.
 //!
-//! Rule: every kind of row stays within its budget, and shows the levels it has.
+//! Rule: every kind of row keeps the rest of the tolerance, and shows the levels it has.
 
 use super::*;
 use crate::shading::display::display_step;
@@ -11,7 +11,7 @@ use crate::simd::{Baseline, token};
 /// Holds every pixel of a square to the colour that it is drawn with.
 struct Judge {
     color: [[[f64; 3]; 3]; 4],
-    crossing: [f64; 3],
+    terminator: [f64; 3],
     side: usize,
     worst: f64,
     /// Bytes that differ from the display step of the levels, and those that do not.
@@ -27,7 +27,7 @@ impl Judge {
             terms.sum::<f64>()
         };
         let lit = value(&self.color[3]).max(0.0);
-        [0, 1, 2].map(|channel| value(&self.color[channel]) + lit * self.crossing[channel])
+        [0, 1, 2].map(|channel| value(&self.color[channel]) + lit * self.terminator[channel])
     }
 }
 
@@ -57,20 +57,20 @@ impl Judge {
 
 fn judge(
     color: &[[[f64; 3]; 3]; 4],
-    crossing: Option<[f64; 3]>,
+    terminator: Option<[f64; 3]>,
     side: usize,
-    budget: f64,
+    rest: f64,
 ) -> (Option<(TileKind, bool)>, Judge) {
     let simd = token();
     let lanes = |number| f64x4::splat(simd, number);
     let interpolant = Interpolant::new(
         color.map(|nine| nine.map(|row| row.map(lanes))),
-        crossing.unwrap_or_default().map(lanes),
-        lanes(budget),
+        terminator.unwrap_or_default().map(lanes),
+        lanes(rest),
     );
     let mut judge = Judge {
         color: *color,
-        crossing: crossing.unwrap_or_default(),
+        terminator: terminator.unwrap_or_default(),
         side,
         worst: 0.0,
         shown: [0; 2],
@@ -99,7 +99,7 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
     };
     for case in 0..3000 {
         let [slope, curve] = [0, 1].map(|_| 10.0_f64.powf(random(1.5)));
-        let budget = 10.0_f64.powf(random(2.0) - 1.0);
+        let rest = 10.0_f64.powf(random(2.0) - 1.0);
         // Terms of higher order are as large as the others, or so much smaller.
         let falls = [1.0, 8.0_f64][(case / 2 % 2) as usize];
         let mut nine = |middle: f64, slope: f64, curve: f64| {
@@ -117,16 +117,16 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
             nine(middle, slope, curve),
             nine(0.0, 0.5, 0.1),
         ];
-        let crossing = (case % 5 == 0).then_some([200.0, 90.0, 0.0]);
+        let terminator = (case % 5 == 0).then_some([200.0, 90.0, 0.0]);
         let side = [16, 32][case as usize % 2];
-        let (form, judge) = judge(&color, crossing, side, budget);
+        let (form, judge) = judge(&color, terminator, side, rest);
         let Some(form) = form else {
             continue;
         };
         forms.insert(form);
         assert!(
-            judge.worst <= budget,
-            "{} levels of {budget}: {form:?}, {color:?}",
+            judge.worst <= rest,
+            "{} levels of {rest}: {form:?}, {color:?}",
             judge.worst
         );
         assert!(
@@ -144,17 +144,13 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
 
 #[test]
 fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
-    let fixed = |middle: f64, slope: f64, budget: f64| {
+    let fixed = |middle: f64, slope: f64, rest: f64| {
         let nine = [[middle, slope, 0.0], [0.0; 3], [0.0; 3]];
         let color = [nine, nine, nine, [[0.0; 3]; 3]];
-        judge(&color, None, 16, budget).0.map(|(_, fixed)| fixed)
+        judge(&color, None, 16, rest).0.map(|(_, fixed)| fixed)
     };
     assert_eq!(fixed(100.0, 8.0, 0.5), Some(true));
-    assert_eq!(
-        fixed(100.0, 8.0, 1e-3),
-        Some(false),
-        "too coarse for the budget"
-    );
+    assert_eq!(fixed(100.0, 8.0, 1e-3), Some(false), "too coarse for it");
     assert_eq!(fixed(7.0, 8.0, 0.5), Some(false), "black on one side");
     assert_eq!(fixed(250.0, 8.0, 0.5), Some(false), "white on the other");
     assert_eq!(fixed(100.0, 8.0, 1e-6), None, "f32 itself errs more");
@@ -182,7 +178,7 @@ fn the_count_of_roundings_is_what_a_running_error_analysis_finds() {
     let level = zero + lit * Rounded::stored(1.0);
     // The display may be that of the next float.
     let count = (level.error + 2.0 * level.value) * U;
-    let share = count / ROUNDING;
+    let share = count / ROW_ERROR;
     assert!((0.9999..1.0).contains(&share), "{share}");
 }
 
@@ -200,14 +196,14 @@ fn steps_of_a_256th_cost_what_they_are_said_to() {
         let color = [[nine; 3], [bent; 3]][case as usize % 2];
         let [red, green, blue] = color;
         // Too little to leave out what is bent.
-        let budget = FIXED + 256.0 * ROUNDING;
-        let (form, judge) = judge(&[red, green, blue, [[0.0; 3]; 3]], None, 16, budget);
+        let rest = FIXED_ERROR + 256.0 * ROW_ERROR;
+        let (form, judge) = judge(&[red, green, blue, [[0.0; 3]; 3]], None, 16, rest);
         assert!(form.is_some_and(|(_, fixed)| fixed), "{form:?}");
         worst = worst.max(judge.worst);
     }
-    println!("{:.3} of the count", worst / FIXED);
-    assert!(worst <= FIXED, "{worst}");
-    assert!(worst > 0.5 * FIXED, "{worst}: the count is loose");
+    println!("{:.3} of the count", worst / FIXED_ERROR);
+    assert!(worst <= FIXED_ERROR, "{worst}");
+    assert!(worst > 0.5 * FIXED_ERROR, "{worst}: the count is loose");
 }
 
 #[test]
@@ -232,9 +228,9 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
             terms[1][j][i] = number(sign);
             let mut kinds = [0; 3];
             for step in 1..=120 {
-                let budget = f64::from(step) / 100.0;
-                let interpolant = Interpolant::new(terms, [number(0.0); 3], number(budget));
-                let kind = interpolant.kinds[0].expect("a budget is left");
+                let rest = f64::from(step) / 100.0;
+                let interpolant = Interpolant::new(terms, [number(0.0); 3], number(rest));
+                let kind = interpolant.kinds[0].expect("a rest of the tolerance");
                 kinds[kind as usize] += 1;
                 // Half extents of a pixel.
                 let square = Square::whole([0, 0], 3);
@@ -245,10 +241,7 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
                         color[term / 3][term % 3] * power(y, term / 3) * power(x, term % 3)
                     });
                     let error = (drawn.sum::<f64>() - sign * power(y, j) * power(x, i)).abs();
-                    assert!(
-                        error <= budget,
-                        "{error} of {budget} for {sign} x^{i} y^{j}"
-                    );
+                    assert!(error <= rest, "{error} of {rest} for {sign} x^{i} y^{j}");
                 }
             }
             // No term is counted at more than its size.

@@ -20,7 +20,7 @@ const GUARD_BAND: f64 = 2_097_152.0;
 
 /// The rounding error of the sideways position of a visible point, relative to its depth: products and sums of three f64. If the
 /// guard band is narrower than that, one of its sides could cut off all that the opposite side left.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const SIDEWAYS_ERROR: f64 = 8.0 * f64::EPSILON;
 
 /// The view frustum of a lens, in coordinates along the axes of one cuboid, relative to the eye.
 pub struct Frustum<'a> {
@@ -65,7 +65,7 @@ impl<'a> Frustum<'a> {
             Projection::Orthographic => (0.0, reach),
         };
         let side = |aside: DVec3| HalfSpace {
-            normal: forward * (slope + ROUNDING) - aside,
+            normal: forward * (slope + SIDEWAYS_ERROR) - aside,
             offset,
         };
         Frustum {
@@ -110,7 +110,7 @@ impl<'a> Frustum<'a> {
     pub fn snapped(&self, seen: DVec3) -> [i32; 2] {
         let pixel = self.lens.pixel(self.lens.homogeneous(seen));
         [0, 1].map(|axis| {
-            let middle = self.lens.half[axis];
+            let middle = self.lens.middle[axis];
             snap(pixel[axis].clamp(middle - GUARD_BAND, middle + GUARD_BAND))
         })
     }

@@ -7,7 +7,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use crate::frame::{Band, NO_TRIANGLE, OUTLINE, face};
+use crate::frame::{Band, NO_TRIANGLE, OUTLINE, face_id};
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
@@ -19,8 +19,8 @@ use crate::simd::three;
 pub struct Canvas<'a, 'b> {
     pub band: &'a mut Band<'b>,
     pub spans: Spans<'a>,
-    /// See [`crate::frame::face`].
-    pub face: u32,
+    /// See [`crate::frame::face_id`].
+    pub face_id: u32,
     /// Those of a square that are evaluated one by one.
     pub pixels: &'a mut Pixels,
     /// The counts of the thread.
@@ -51,7 +51,7 @@ impl Canvas<'_, '_> {
                 return span.len();
             }
             let ids = self.band.triangles[self.band.indices(row, &span)].iter();
-            let seen = ids.map(|id| u32::from(face(*id) == self.face));
+            let seen = ids.map(|id| u32::from(face_id(*id) == self.face_id));
             seen.sum::<u32>() as usize
         });
         seen.sum()
@@ -110,14 +110,14 @@ impl Canvas<'_, '_> {
         if self.band.kinds.is_empty() {
             return;
         }
-        let origin = drawn.rays.lens.half;
+        let middle = drawn.rays.lens.middle;
         for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             for column in span {
                 let pixel = self.band.index(column, row);
-                if face(self.band.triangles[pixel]) == self.face {
-                    let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - origin[axis]);
+                if face_id(self.band.triangles[pixel]) == self.face_id {
+                    let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - middle[axis]);
                     let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
-                    self.band.triangles[pixel] = 2 * self.face + second;
+                    self.band.triangles[pixel] = 2 * self.face_id + second;
                     let edge = row == square.corner[1] || column == square.corner[0];
                     self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
                 }
@@ -155,7 +155,7 @@ impl Canvas<'_, '_> {
             sixteen
         });
         let faces = u32x16::simd_from(simd, ids) >> 1;
-        let seen = faces.simd_eq(u32x16::splat(simd, self.face));
+        let seen = faces.simd_eq(u32x16::splat(simd, self.face_id));
         seen.to_bitmask() as u32 & covered
     }
 

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
-use crate::frame::{Band, DrawList, Object, Piece, face};
+use crate::frame::{Band, DrawList, Object, Piece, face_id};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
@@ -40,7 +40,7 @@ impl DrawList {
         let mut canvas = Canvas {
             band,
             spans,
-            face: face(piece.id),
+            face_id: face_id(piece.id),
             pixels,
             counts,
         };
@@ -51,12 +51,12 @@ impl DrawList {
             }
         }
         let object = &self.objects[piece.object];
-        let index = (canvas.face % 6) as usize;
+        let index = (canvas.face_id % 6) as usize;
         let face = Face::new(index, &object.transform, object.half, &self.rays);
         let shader = &mut self.shader(object, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
-                let extents = Extents::new(simd, &[*square; 4], self.rays.lens.half);
+                let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
                 shader.prepare(simd, &extents, false);
                 let kind = canvas.draw_listed(simd, shader, 0, square);
                 canvas.counts.add(kind, canvas.strips(), canvas.pixels.count);
@@ -121,7 +121,7 @@ impl Canvas<'_, '_> {
         if seen == [0; 4] {
             return;
         }
-        let extents = Extents::new(simd, squares, shader.face().rays.lens.half);
+        let extents = Extents::new(simd, squares, &shader.face().rays.lens);
         let pixels: usize = squares.iter().map(|square| square.pixels).sum();
         let (interpolant, promising) = shader.prepare(simd, &extents, pixels >= WORTHWHILE);
         let mut cut = [false; 4];

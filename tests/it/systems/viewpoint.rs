@@ -54,7 +54,7 @@ fn a_lens_has_the_axes_of_the_camera_and_the_size_of_a_pixel() {
             let lens = run(&ahead(projection, [300, rows]));
             assert_eq!(lens.axes, [DVec3::X, DVec3::Y, DVec3::NEG_Z]);
             assert_eq!((lens.eye, lens.near), (DVec3::Z * 10.0, 1.0));
-            assert_eq!(lens.half, [150.0, rows as f64 / 2.0]);
+            assert_eq!(lens.middle, [150.0, rows as f64 / 2.0]);
             assert_eq!(lens.projection, projection);
             let error = lens.pitch * rows as f64 - seen;
             assert!(error.abs() < 1e-14, "{projection:?}, {rows} rows: {error}");
