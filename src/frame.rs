@@ -159,7 +159,7 @@ impl Frame {
         }
     }
 
-    /// The kind of each pixel's square: its index in [`TileKind::ALL`](crate::shading::TileKind::ALL), and [`OUTLINE`].
+    /// The kind of each pixel's square: its index in [`SquareKind::ALL`](crate::shading::SquareKind::ALL), and [`OUTLINE`].
     /// Undefined where no triangle is visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
         self.buffers.kinds.as_slice()

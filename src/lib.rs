@@ -99,7 +99,7 @@
 //! derivatives and so the interpolation error. The polynomial's terms are dropped if the rest of the tolerance allows it
 //! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels may be cut into quarters:
 //! if their bounds may suffice, or if f32 is too coarse. All other squares are evaluated pixel by pixel.
-//! [`shading::TileKind`] lists the ways, and the window's tiles view shows them.
+//! [`shading::SquareKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at
 //! the vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.

@@ -15,7 +15,7 @@ use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers, face_id};
 use crate::memory::OutOfMemory;
 use crate::reference::{self, LightSample, Sample};
 use crate::scene::Scene;
-use crate::shading::TileKind;
+use crate::shading::SquareKind;
 use crate::shading::square::MAX_SIDE;
 use crate::systems;
 
@@ -52,7 +52,7 @@ pub struct ProbedSurface {
     /// How the picture was drawn: its mode, its tolerance in levels, and the kind of the square around the pixel.
     pub mode: ShadingMode,
     pub tolerance: f64,
-    pub kind: TileKind,
+    pub kind: SquareKind,
 }
 
 impl ProbedSurface {
@@ -137,7 +137,7 @@ pub fn section(
                 drawn: levels(&own),
                 mode: view.mode(**mode),
                 tolerance: view.tolerance,
-                kind: TileKind::ALL[usize::from(own.kinds()[row + x] & !OUTLINE)],
+                kind: SquareKind::ALL[usize::from(own.kinds()[row + x] & !OUTLINE)],
                 sample,
             }
         });

@@ -80,7 +80,7 @@ pub(crate) fn limit(tolerance: f64) -> f64 {
 
 /// How a square was drawn, from the cheapest to the most expensive way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum TileKind {
+pub enum SquareKind {
     /// A colour linear in x and y, certified.
     Linear,
     /// A biquadratic colour, certified.
@@ -93,14 +93,14 @@ pub enum TileKind {
     InF64,
 }
 
-impl TileKind {
+impl SquareKind {
     /// All of them, in order.
-    pub const ALL: [TileKind; 5] = [
-        TileKind::Linear,
-        TileKind::Quadratic,
-        TileKind::Terminator,
-        TileKind::PerPixel,
-        TileKind::InF64,
+    pub const ALL: [SquareKind; 5] = [
+        SquareKind::Linear,
+        SquareKind::Quadratic,
+        SquareKind::Terminator,
+        SquareKind::PerPixel,
+        SquareKind::InF64,
     ];
 
     /// Its name in panels and reports.
@@ -126,16 +126,16 @@ pub struct Counts {
     pub model_evaluations: u64,
     /// Evaluations of a specular power.
     pub specular_evaluations: u64,
-    /// Squares drawn, by [`TileKind`] in the order of [`TileKind::ALL`]. A small face counts once in each strip of rows in
+    /// Squares drawn, by [`SquareKind`] in the order of [`SquareKind::ALL`]. A small face counts once in each strip of rows in
     /// which a pixel of it is seen, since the strips of a frame may belong to different threads.
     #[serde(skip)]
-    pub tiles: [u64; TileKind::ALL.len()],
+    pub squares: [u64; SquareKind::ALL.len()],
 }
 
 impl Counts {
     /// Adds squares of a kind, with this number of pixels in all.
-    pub fn add(&mut self, kind: TileKind, tiles: u64, pixels: usize) {
-        self.tiles[kind as usize] += tiles;
+    pub fn add(&mut self, kind: SquareKind, squares: u64, pixels: usize) {
+        self.squares[kind as usize] += squares;
         self.covered_pixels += pixels as u64;
     }
 }
@@ -145,8 +145,8 @@ impl AddAssign for Counts {
         self.covered_pixels += other.covered_pixels;
         self.model_evaluations += other.model_evaluations;
         self.specular_evaluations += other.specular_evaluations;
-        for (tiles, more) in self.tiles.iter_mut().zip(other.tiles) {
-            *tiles += more;
+        for (squares, more) in self.squares.iter_mut().zip(other.squares) {
+            *squares += more;
         }
     }
 }

@@ -96,7 +96,7 @@ pub enum ViewMode {
     Wipe,
     /// The error against exact Phong.
     Error,
-    /// The picture; a tint shows how each tile was drawn.
+    /// The picture; a tint shows how each square was drawn.
     Tiles,
 }
 

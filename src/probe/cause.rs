@@ -4,7 +4,7 @@ use super::ProbedSurface;
 use crate::components::{LightKind, ShadingMode};
 use crate::reference::LightSample;
 use crate::report::words::{CHANNELS, short};
-use crate::shading::TileKind;
+use crate::shading::SquareKind;
 use crate::trade::metrics::displayed;
 
 /// Levels that differ by less than this agree: no eye tells them apart.
@@ -94,7 +94,7 @@ impl ProbedSurface {
     pub fn cost(&self) -> String {
         let (kind, within) = (self.kind.name(), self.tolerance);
         match (self.mode, self.kind) {
-            (ShadingMode::Gouraud, TileKind::PerPixel | TileKind::InF64) => {
+            (ShadingMode::Gouraud, SquareKind::PerPixel | SquareKind::InF64) => {
                 "The model is not evaluated here: the levels of three vertices are interpolated at every pixel."
                     .to_owned()
             }
@@ -102,10 +102,10 @@ impl ProbedSurface {
                 "The model is not evaluated here: Gouraud interpolates the levels of three vertices. In the square around \
                  this pixel a polynomial ({kind}) stands for that, certified within {within}."
             ),
-            (_, TileKind::PerPixel) => {
+            (_, SquareKind::PerPixel) => {
                 "The model is evaluated here, as at every pixel of the square.".to_owned()
             }
-            (_, TileKind::InF64) => {
+            (_, SquareKind::InF64) => {
                 "The model is evaluated here in f64, as at every pixel of the square.".to_owned()
             }
             _ => format!(

@@ -16,7 +16,7 @@ use fearless_simd::{Simd, f32x16, f64x4};
 use super::lanes::{Squares, has};
 use super::rows::{Curve, Ramp};
 use super::square::Square;
-use super::{TileKind, U};
+use super::{SquareKind, U};
 use crate::simd::{four, three};
 
 /// The outer node of three.
@@ -88,7 +88,7 @@ pub struct Interpolant<S: Simd> {
     /// The factors of n.l, in levels; 0 where no terminator crosses.
     terminator: [f64x4<S>; 3],
     /// None where the rest of the tolerance does not suffice or a sample is not a number.
-    pub kinds: [Option<TileKind>; 4],
+    pub kinds: [Option<SquareKind>; 4],
     /// The squares that are drawn in multiples of 1/256 level.
     fixed: Squares,
 }
@@ -132,11 +132,11 @@ impl<S: Simd> Interpolant<S> {
         let curved = error.simd_gt(allowed).to_bitmask();
         let kinds = four!(|index| {
             let kind = if has(has_terminator, index) {
-                TileKind::Terminator
+                SquareKind::Terminator
             } else if has(curved, index) {
-                TileKind::Quadratic
+                SquareKind::Quadratic
             } else {
-                TileKind::Linear
+                SquareKind::Linear
             };
             has(possible, index).then_some(kind)
         });
@@ -151,7 +151,7 @@ impl<S: Simd> Interpolant<S> {
     /// The rows of one of the squares, if it is linear and in multiples of 1/256 level.
     #[inline(always)]
     pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
-        let is_linear = self.kinds[index] == Some(TileKind::Linear);
+        let is_linear = self.kinds[index] == Some(SquareKind::Linear);
         (is_linear && has(self.fixed, index))
             .then(|| Ramp::new(simd, &self.color(index, square), square))
     }
@@ -159,7 +159,7 @@ impl<S: Simd> Interpolant<S> {
     /// The rows of one of the squares, of any kind.
     #[inline(always)]
     pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
-        let terminator = (self.kinds[index] == Some(TileKind::Terminator))
+        let terminator = (self.kinds[index] == Some(SquareKind::Terminator))
             .then(|| three!(|channel| self.terminator[channel].as_array()[index] as f32));
         let fixed = has(self.fixed, index);
         let color = self.color(index, square);
@@ -177,7 +177,7 @@ impl<S: Simd> Interpolant<S> {
             let middle = c[0][0] + (c[0][2] + c[2][0]) * 0.5 + c[2][2] * 0.25;
             let [right, down] = [c[0][1] + c[2][1] * 0.5, c[1][0] + c[1][2] * 0.5];
             let c = match self.kinds[index] {
-                Some(TileKind::Linear) => [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]],
+                Some(SquareKind::Linear) => [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]],
                 _ => c,
             };
             let scales = [[1.0, x, x * x], [1.0, y, y * y]];

@@ -14,7 +14,7 @@ use super::pixels::Pixels;
 use super::rows::{Pointwise, Rows};
 use super::square::Square;
 use super::unit_vectors::UnitVectors;
-use super::{Counts, TileKind};
+use super::{Counts, SquareKind};
 use crate::simd::{inlined, outlined, two};
 
 /// Shades a face in one of the modes.
@@ -105,7 +105,7 @@ impl Shader<'_> {
     }
 
     /// Counts pixels that were evaluated on the square at `index`, and returns how.
-    pub fn count(&self, index: usize, pixels: usize, counts: &mut Counts) -> TileKind {
+    pub fn count(&self, index: usize, pixels: usize, counts: &mut Counts) -> SquareKind {
         let in_f32 = self.in_f32(index);
         let (model, powers) = match self {
             Shader::Gouraud(_) => (0, 0),
@@ -116,9 +116,9 @@ impl Shader<'_> {
         counts.model_evaluations += model * pixels as u64;
         counts.specular_evaluations += (pixels * powers) as u64;
         if in_f32 {
-            TileKind::PerPixel
+            SquareKind::PerPixel
         } else {
-            TileKind::InF64
+            SquareKind::InF64
         }
     }
 

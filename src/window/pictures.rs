@@ -1,4 +1,4 @@
-//! The pictures of the view: the frame, the two sides of a wipe, tinted tiles; and the time of the last one.
+//! The pictures of the view: the frame, the two sides of a wipe, tinted squares; and the time of the last one.
 //!
 //! A frame is timed from its first stage to the display step, and nothing else is. A picture that is not computed yet is
 //! shown as the frame dimmed, never as something else.
@@ -11,16 +11,16 @@ use hecs::World;
 use crate::components::{ShadingMode, Side, View, ViewMode, Viewer};
 use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
 use crate::memory::OutOfMemory;
-use crate::shading::TileKind;
+use crate::shading::SquareKind;
 use crate::systems;
 
-/// The weight of a tile's tint, of 256, and that on its outline.
+/// The weight of a square's tint, of 256, and that on its outline.
 const TINT_WEIGHT: u32 = 112;
 const OUTLINE_WEIGHT: u32 = 232;
 
-/// The tint of each of [`TileKind::ALL`], 0x00RRGGBB: Okabe and Ito's colours (2008), which people who are colour-blind can
+/// The tint of each of [`SquareKind::ALL`], 0x00RRGGBB: Okabe and Ito's colours (2008), which people who are colour-blind can
 /// tell apart, from cool and cheap to hot and dear; the dearest is white.
-pub const TINTS: [u32; TileKind::ALL.len()] = [
+pub const TINTS: [u32; SquareKind::ALL.len()] = [
     0x0056_b4e9,
     0x00f0_e442,
     0x00e6_9f00,
@@ -79,7 +79,7 @@ impl Pictures {
         Ok(())
     }
 
-    /// The frame with its tiles tinted, 0x00RRGGBB.
+    /// The frame with its squares tinted, 0x00RRGGBB.
     pub fn tiles(&self) -> Vec<u32> {
         let mut pixels = self.frame.pixels().to_vec();
         tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
@@ -131,7 +131,7 @@ fn grey(pixel: u32) -> u32 {
     grey << 16 | grey << 8 | grey
 }
 
-/// Tints the grey of each pixel of a triangle by the kind of its tile, and draws the tile's outline; see [`Frame::kinds`].
+/// Tints the grey of each pixel of a triangle by the kind of its square, and draws the square's outline; see [`Frame::kinds`].
 fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != NO_TRIANGLE {

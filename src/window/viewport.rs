@@ -11,7 +11,7 @@ use super::pictures::{TINTS, divider_column};
 use super::widgets::BAD;
 use crate::components::{Camera, Orbit, Tab, ViewMode, active_camera, get};
 use crate::paint::color;
-use crate::shading::TileKind;
+use crate::shading::SquareKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -160,20 +160,20 @@ impl App {
         painter.circle(place.center(), 8.0, Color32::WHITE, edge);
     }
 
-    /// The meaning of the colours of the error map or of tiles.
+    /// The meaning of the colours of the error map or of squares.
     fn legend(&self, ui: &mut Ui) {
         if self.viewer().show == ViewMode::Error {
             return self.error_legend(ui);
         }
-        let counts = self.pictures.frame.counts().tiles;
-        let kinds = TileKind::ALL.iter().zip(TINTS).zip(counts);
+        let counts = self.pictures.frame.counts().squares;
+        let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
         ui.label("squares, by the colour in them");
         for ((kind, tint), count) in kinds {
             let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
             row.on_hover_text(match kind {
-                TileKind::Linear => "Squares with a colour linear in x and y.",
-                TileKind::Quadratic => "Squares with a colour quadratic in x and in y.",
-                TileKind::Terminator => "As quadratic, where n.l of one light changes sign.",
+                SquareKind::Linear => "Squares with a colour linear in x and y.",
+                SquareKind::Quadratic => "Squares with a colour quadratic in x and in y.",
+                SquareKind::Terminator => "As quadratic, where n.l of one light changes sign.",
                 _ => "Squares in which the model is evaluated at each pixel.",
             });
         }

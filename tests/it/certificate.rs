@@ -9,7 +9,7 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Counts, Keep, OUTLINE};
-use shadetrade::shading::{EXACT, TileKind};
+use shadetrade::shading::{EXACT, SquareKind};
 use shadetrade::trade::metrics::pixel_error;
 
 use crate::support::cases::{cases, values};
@@ -20,9 +20,9 @@ use crate::support::scene::{
 };
 
 /// The used share of the permitted error at every pixel in which both pictures show the same triangle, with the kind of
-/// its tile. No share may exceed 1.
+/// its square. No share may exceed 1.
 #[track_caller]
-fn shares(world: &mut World, view: &View) -> Vec<(TileKind, f64)> {
+fn shares(world: &mut World, view: &View) -> Vec<(SquareKind, f64)> {
     let limit = if view.tolerance > 0.0 {
         view.tolerance
     } else {
@@ -33,7 +33,7 @@ fn shares(world: &mut World, view: &View) -> Vec<(TileKind, f64)> {
     let pixels = frame.triangles().iter().zip(&truth.triangles).enumerate();
     let pixels = pixels.filter(|(_, (id, other))| id == other && **id < 12);
     let shares = pixels.map(|(pixel, _)| {
-        let kind = TileKind::ALL[usize::from(frame.kinds()[pixel] & !OUTLINE)];
+        let kind = SquareKind::ALL[usize::from(frame.kinds()[pixel] & !OUTLINE)];
         let [_, bytes @ ..] = shown.pixels()[pixel].to_be_bytes();
         let exact = truth.levels[pixel];
         let rounded = pixel_error(bytes.map(f64::from), exact);
@@ -46,8 +46,8 @@ fn shares(world: &mut World, view: &View) -> Vec<(TileKind, f64)> {
 }
 
 #[test]
-fn no_pixel_exceeds_its_tolerance_and_every_kind_of_tile_comes_near_it() {
-    let (mut most, mut pixels) = ([0.0_f64; TileKind::ALL.len()], [0; TileKind::ALL.len()]);
+fn no_pixel_exceeds_its_tolerance_and_every_kind_of_square_comes_near_it() {
+    let (mut most, mut pixels) = ([0.0_f64; SquareKind::ALL.len()], [0; SquareKind::ALL.len()]);
     let (random, scenes) = (&mut Random(5), cases(20));
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         for case in values(&case(mode), scenes) {
@@ -65,11 +65,11 @@ fn no_pixel_exceeds_its_tolerance_and_every_kind_of_tile_comes_near_it() {
         }
     }
     println!("{most:.3?} of the tolerance, {pixels:?} pixels");
-    for kind in TileKind::ALL {
+    for kind in SquareKind::ALL {
         // Few scenes have a terminator that needs most of its bound.
         let is_tight = match kind {
-            TileKind::PerPixel | TileKind::InF64 => true,
-            TileKind::Terminator if scenes < 50 => true,
+            SquareKind::PerPixel | SquareKind::InF64 => true,
+            SquareKind::Terminator if scenes < 50 => true,
             _ => most[kind as usize] > 0.15,
         };
         assert!(is_tight, "{kind:?} is too loose: {most:?}");
@@ -96,7 +96,7 @@ fn face(
 }
 
 #[test]
-fn quadratic_tiles_come_near_the_tolerance_where_the_bound_is_tight() {
+fn quadratic_squares_come_near_the_tolerance_where_the_bound_is_tight() {
     // The normal rotates along x alone, towards a light that is far away and nearly in the plane of the face.
     let light = (LightKind::Diffuse, DVec3::new(1e6, 0.0, 1.5e5));
     let size = DVec3::new(2.0, 2e3, 2.0);
@@ -105,7 +105,7 @@ fn quadratic_tiles_come_near_the_tolerance_where_the_bound_is_tight() {
     for step in 0..60 {
         let view = view.with_tolerance(1e-3 * 1.1_f64.powi(step));
         for (kind, share) in shares(&mut world, &view) {
-            if kind == TileKind::Quadratic {
+            if kind == SquareKind::Quadratic {
                 most = most.max(share);
             }
         }
@@ -123,7 +123,7 @@ fn the_error_of_samples_is_subtracted_from_the_tolerance() {
     for (roundings, expected) in [(300.0, false), (330.0, true)] {
         let view = view.with_tolerance(roundings * 2.0_f64.powi(-24) * 255.0);
         for (kind, _) in shares(&mut world, &view) {
-            assert_eq!(kind == TileKind::Linear, expected, "{kind:?}");
+            assert_eq!(kind == SquareKind::Linear, expected, "{kind:?}");
         }
     }
 }
@@ -143,7 +143,7 @@ fn where_a_highlight_ends_at_the_gate_each_pixel_is_on_its_own_side() {
             for tolerance in [0.0, 4.0] {
                 let shares = shares(&mut world, &view.with_tolerance(tolerance));
                 assert_eq!(shares.len(), 1024);
-                let is_exact = |(kind, _): &(TileKind, f64)| *kind == TileKind::PerPixel;
+                let is_exact = |(kind, _): &(SquareKind, f64)| *kind == SquareKind::PerPixel;
                 assert!(shares.iter().all(is_exact) || pitch > 1e-10);
             }
         }
@@ -162,7 +162,7 @@ fn squares_drawn_together_may_each_have_the_terminator_of_another_light() {
     let shares = shares(&mut world, &view.with_tolerance(0.5));
     let terminators = shares
         .iter()
-        .filter(|(kind, _)| *kind == TileKind::Terminator);
+        .filter(|(kind, _)| *kind == SquareKind::Terminator);
     assert!(terminators.count() >= 512);
 }
 
@@ -291,7 +291,7 @@ fn in_small_pictures_and_under_many_lights_half_a_level_costs_hardly_more_than_e
         let beside = place + DVec3::new(0.5, 0.0, 0.3);
         shine(&mut world, LightKind::Specular, 31.0, beside);
     }
-    let squares = |counts: Counts| counts.tiles.iter().sum::<u64>();
+    let squares = |counts: Counts| counts.squares.iter().sum::<u64>();
     let [exact, half] = exact_and_half(&mut world, [480, 360]).map(squares);
     assert!(exact > 50, "{exact} squares");
     assert!(half * 10 <= exact * 11, "{half} squares instead of {exact}");

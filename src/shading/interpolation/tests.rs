@@ -60,7 +60,7 @@ fn judge(
     terminator: Option<[f64; 3]>,
     side: usize,
     rest: f64,
-) -> (Option<(TileKind, bool)>, Judge) {
+) -> (Option<(SquareKind, bool)>, Judge) {
     let simd = token();
     let lanes = |number| f64x4::splat(simd, number);
     let interpolant = Interpolant::new(
@@ -245,7 +245,7 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
                 }
             }
             // No term is counted at more than its size.
-            assert!(kinds[TileKind::Linear as usize] >= 19, "{kinds:?}");
+            assert!(kinds[SquareKind::Linear as usize] >= 19, "{kinds:?}");
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
-use crate::shading::{Counts, TileKind};
+use crate::shading::{Counts, SquareKind};
 use crate::simd::three;
 
 /// The pixels of a band that a piece covers.
@@ -106,7 +106,7 @@ impl Canvas<'_, '_> {
 
     /// Records the kind of a square and the visible triangles, if the frame keeps them.
     #[inline(never)]
-    pub fn mark(&mut self, square: &Square, kind: TileKind, drawn: &Face) {
+    pub fn mark(&mut self, square: &Square, kind: SquareKind, drawn: &Face) {
         if self.band.kinds.is_empty() {
             return;
         }

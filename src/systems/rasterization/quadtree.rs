@@ -16,7 +16,7 @@ use crate::shading::lanes::has;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
-use crate::shading::{Scratch, Shader, Surface, TileKind};
+use crate::shading::{Scratch, Shader, SquareKind, Surface};
 use crate::simd::{dispatch, four, outlined};
 
 /// The least number of pixels of four squares for which bounds are computed. Bounds cost as much as the evaluation of about 500
@@ -166,7 +166,7 @@ impl Canvas<'_, '_> {
         index: usize,
         square: &Square,
         seen: usize,
-    ) -> TileKind {
+    ) -> SquareKind {
         if self.is_whole(square, seen)
             && let Some(mut rows) = shader.rows(simd, square, index)
         {
@@ -185,7 +185,7 @@ impl Canvas<'_, '_> {
         shader: &Shader,
         index: usize,
         square: &Square,
-    ) -> TileKind {
+    ) -> SquareKind {
         shader.evaluate(simd, square, index, self.pixels);
         outlined!(simd, self.draw_pixels(simd));
         shader.count(index, self.pixels.count, self.counts)

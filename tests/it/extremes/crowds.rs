@@ -8,7 +8,7 @@ use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
 use shadetrade::report::Monitor;
-use shadetrade::shading::TileKind;
+use shadetrade::shading::SquareKind;
 use shadetrade::systems;
 
 use super::is_full;
@@ -110,8 +110,8 @@ fn faces_of_a_few_pixels_are_evaluated_in_f32() {
     for view in at_both_tolerances(&views([20, 16], EYE)) {
         let counts = draw(&mut world, &view, Keep::Display).counts();
         assert!(counts.covered_pixels > 30, "{counts:?}");
-        assert_eq!(counts.tiles[TileKind::InF64 as usize], 0, "{view:?}");
-        assert_eq!(counts.tiles.iter().sum::<u64>(), 3, "one a face: {view:?}");
+        assert_eq!(counts.squares[SquareKind::InF64 as usize], 0, "{view:?}");
+        assert_eq!(counts.squares.iter().sum::<u64>(), 3, "faces: {view:?}");
     }
 }
 

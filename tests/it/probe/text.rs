@@ -5,7 +5,7 @@ use shadetrade::components::{LightKind, ShadingMode};
 use shadetrade::frame::display_step;
 use shadetrade::probe::Probe;
 use shadetrade::scene::SceneRecord;
-use shadetrade::shading::TileKind::{InF64, Linear, PerPixel, Quadratic};
+use shadetrade::shading::SquareKind::{InF64, Linear, PerPixel, Quadratic};
 
 use super::surface_of;
 

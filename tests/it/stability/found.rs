@@ -20,7 +20,7 @@ fn assert_defined(world: &mut World, view: &View, modes: &[ShadingMode]) {
     }
 }
 
-/// An infinite slope in f32 times a reach of zero gave NaN: a tile of one pixel, on a corner where the weight of the
+/// An infinite slope in f32 times a reach of zero gave NaN: a square of one pixel, on a corner where the weight of the
 /// bright corner is 0.
 #[test]
 fn on_a_corner_without_weight_of_others_every_level_is_defined() {
@@ -43,7 +43,7 @@ fn on_a_corner_without_weight_of_others_every_level_is_defined() {
     }
 }
 
-/// Between a corner brighter than f32 can hold and a dark one, the colour is a multiple of the former. In a tile of one
+/// Between a corner brighter than f32 can hold and a dark one, the colour is a multiple of the former. In a square of one
 /// pixel that multiple is 0 and the slope is infinite.
 #[test]
 fn beside_a_corner_beyond_f32_every_level_is_defined() {

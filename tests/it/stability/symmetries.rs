@@ -45,7 +45,7 @@ fn the_order_of_cuboids_changes_no_bit() {
 }
 
 #[test]
-fn a_picture_upside_down_has_the_same_tiles() {
+fn a_picture_upside_down_has_the_same_squares() {
     let random = &mut Random(9);
     for (mut world, mut view) in scenes() {
         view.size = [128; 2];

@@ -7,7 +7,7 @@ use shadetrade::components::{
     ordered,
 };
 use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE};
-use shadetrade::shading::TileKind;
+use shadetrade::shading::SquareKind;
 use shadetrade::systems::rasterization;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, light, turned};
@@ -141,8 +141,8 @@ fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_lev
                 );
                 let drawn = frame.triangles().iter().zip(frame.kinds());
                 for (_, kind) in drawn.filter(|(id, _)| **id != NO_TRIANGLE) {
-                    let kind = TileKind::ALL[usize::from(kind & !OUTLINE)];
-                    assert_eq!(kind == TileKind::InF64, is_double, "{mode:?}, {share}");
+                    let kind = SquareKind::ALL[usize::from(kind & !OUTLINE)];
+                    assert_eq!(kind == SquareKind::InF64, is_double, "{mode:?}, {share}");
                 }
             }
         }
