@@ -73,7 +73,7 @@ const ARC: f64 = std::f64::consts::FRAC_PI_3;
 /// Bounds on the sizes of the first three derivatives along x or along y.
 pub type Derivatives<S> = [f64x4<S>; 3];
 
-/// Of a unit vector.
+/// Those of a unit vector whose p and q along that axis are given.
 #[inline(always)]
 pub fn direction<S: Simd>([p, q]: [f64x4<S>; 2]) -> Derivatives<S> {
     const HALF_SECOND: f64 = 0.577_350_269_189_625_8; // 1 / sqrt(3)
@@ -82,13 +82,13 @@ pub fn direction<S: Simd>([p, q]: [f64x4<S>; 2]) -> Derivatives<S> {
     [p, second, third]
 }
 
-/// Of the half-turn about a unit vector.
+/// Those of the half-turn about it.
 #[inline(always)]
 pub fn half_turn<S: Simd>([p, q]: [f64x4<S>; 2]) -> Derivatives<S> {
     [p * 2.0, p * q * 4.0, p * q * q * 12.0]
 }
 
-/// Of a product whose factors are at most one (Leibniz).
+/// Those of a product whose factors are at most one (Leibniz).
 #[inline(always)]
 pub fn product<S: Simd>(a: Derivatives<S>, b: Derivatives<S>) -> Derivatives<S> {
     [

@@ -98,7 +98,7 @@ pub struct Face<'a> {
     pub uvw: Affine,
     /// w times [`Self::diagonal_at`].
     pub diagonal: Affine<f64>,
-    /// An upper bound of w |d(u, v) / d pixel| on the face: u and v are at most 1 there.
+    /// An upper bound of w |d(u, v) / d pixel| where u and v are at most 1.
     uv_gradient: f64,
     /// The plane's distance from the cuboid's centre.
     half_height: f64,

@@ -81,7 +81,7 @@ impl<S: Simd> Field<S> {
             three!(|axis| steps[1] * down[axis]),
         ];
         let along = [dot(&middle, &right), dot(&middle, &down)];
-        // Only changes along the middle make it shorter.
+        // A change perpendicular to the vector at the middle makes it no shorter.
         let shortest = 1.0 - along[0].abs() - along[1].abs();
         let inverse = 1.0 / shortest;
         // For p: (V + y V_y) x V_x = V x V_x + y V_y x V_x, over the least |V|^2; |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).

@@ -25,7 +25,7 @@ pub struct Gouraud<'a> {
     /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the
     /// pixel.
     levels: &'a [DVec3; 8],
-    colors: [Affine; 2],
+    colors_by_pixel: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
     w_by_square: Affine<[f32; 4]>,
     diagonal_by_square: Affine<[f32; 4]>,
@@ -58,7 +58,7 @@ impl<'a> Gouraud<'a> {
             face,
             tolerance,
             levels,
-            colors: [0, 1].map(|triangle| {
+            colors_by_pixel: [0, 1].map(|triangle| {
                 let levels = face.interpolate(levels, triangle);
                 face.uvw.map(|it| levels.homogeneous(it.x, it.y, it.z))
             }),
@@ -81,11 +81,8 @@ impl<'a> Gouraud<'a> {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let middle = extents.affine(&self.face.w).centre;
         let inverse = 1.0 / middle;
-        let scaled = inlined!(|number: &Affine<f64>| {
-            extents
-                .affine(number)
-                .map(inlined!(|term: f64x4<S>| term * inverse))
-        });
+        let divided = inlined!(|term: f64x4<S>| term * inverse);
+        let scaled = inlined!(|number: &Affine<f64>| extents.affine(number).map(divided));
         let w = Affine {
             centre: splat(1.0),
             ..scaled(&self.face.w)
@@ -97,7 +94,7 @@ impl<'a> Gouraud<'a> {
             diagonal.centre.simd_lt(change),
         ];
         let colors = two!(|triangle| three!(|channel| {
-            scaled(&self.colors[triangle].map(|color| color[channel]))
+            scaled(&self.colors_by_pixel[triangle].map(|color| color[channel]))
         }));
         let zero = splat(0.0);
         let [mut largest, mut error] = [zero; 2];
@@ -126,18 +123,13 @@ impl<'a> Gouraud<'a> {
             return (None, 0);
         }
         let is_cut = meets[0] & meets[1];
-        let rest = (bounded & !is_cut).select(
-            splat(self.tolerance) - error - rounding * LEBESGUE,
-            splat(-1.0),
-        );
-        let terms = sampled(
-            simd,
-            inlined!(|xy| {
-                let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
-                [red, green, blue, f32x16::splat(simd, 0.0)]
-            }),
-        );
-        let interpolant = Interpolant::new(terms, [zero; 3], rest);
+        let rest = splat(self.tolerance) - error - rounding * LEBESGUE;
+        let rest = (bounded & !is_cut).select(rest, splat(-1.0));
+        let sample = inlined!(|xy| {
+            let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
+            [red, green, blue, f32x16::splat(simd, 0.0)]
+        });
+        let interpolant = Interpolant::new(sampled(simd, sample), [zero; 3], rest);
         (Some(interpolant), 0b1111)
     }
 

@@ -43,11 +43,11 @@ const UNSURE: f64 = 1.0;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FaceLight {
     /// w (L - P).
-    towards: Affine,
+    by_pixel: Affine,
     /// The factors of n.l and s^rho, in levels.
     diffuse: [f32; 3],
     specular: [f32; 3],
-    /// The largest of each.
+    /// The largest channel of each.
     most: [f64; 2],
     /// Where n.l may be above 0.
     reaches: Squares,
@@ -55,7 +55,7 @@ pub struct FaceLight {
     shines: Squares,
     /// Where this is the only light whose n.l may change its sign. Its highlight is not drawn there.
     crosses: Squares,
-    /// `towards`, scaled to length one at the middle of each square.
+    /// `by_pixel`, scaled to length one at the middle of each square.
     by_square: [Affine<[f32; 4]>; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
     doubt: [f32; 4],
@@ -71,7 +71,7 @@ impl FaceLight {
             self.most = [0.0; 2];
             return;
         }
-        self.towards = face.towards(position, light.position - surface.centre);
+        self.by_pixel = face.towards(position, light.position - surface.centre);
         [self.diffuse, self.specular] = coefficients.map(|levels| levels.as_vec3().to_array());
     }
 }
@@ -87,9 +87,9 @@ pub struct Phong<'a> {
     pub tolerance: f64,
     /// The ambient term, in levels.
     ambient: [f32; 3],
-    /// The interpolated normal by u and v, and times w by pixel.
-    normals: Affine,
-    normal: Affine,
+    /// The interpolated normal by u and v; and times w, by pixel.
+    normal_by_uv: Affine,
+    normal_by_pixel: Affine,
     /// w n and w (O - P), scaled to length one at the middle of each square.
     normal_by_square: [Affine<[f32; 4]>; 3],
     eye_by_square: [Affine<[f32; 4]>; 3],
@@ -123,8 +123,8 @@ impl<'a> Phong<'a> {
             lights,
             tolerance,
             ambient: surface.ambient().as_vec3().to_array(),
-            normals,
-            normal: face.uvw.map(|it| normals.homogeneous(it.x, it.y, it.z)),
+            normal_by_uv: normals,
+            normal_by_pixel: face.uvw.map(|it| normals.homogeneous(it.x, it.y, it.z)),
             normal_by_square: Default::default(),
             eye_by_square: Default::default(),
             shines: 0,
@@ -182,7 +182,7 @@ impl<'a> Phong<'a> {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let [zero, one] = [splat(0.0), splat(1.0)];
         let none = mask64x4::splat(simd, false);
-        let normal = Field::new(&self.normal, extents);
+        let normal = Field::new(&self.normal_by_pixel, extents);
         let eye = Field::new(&self.face.rays.to_eye, extents);
         // A square with pixels that may be clamped to the face is not interpolated.
         let steady = least_w.simd_gt(self.face.least_steady().max(0.0));
@@ -195,7 +195,7 @@ impl<'a> Phong<'a> {
         self.eye_by_square = eye.single();
         self.shines = 0;
         for light in self.lights.iter_mut() {
-            let to_light = Field::new(&light.towards, extents);
+            let to_light = Field::new(&light.by_pixel, extents);
             let cosine_rounding = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::side(&normal, &to_light, cosine_rounding * U);
             let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
@@ -313,7 +313,7 @@ impl<'a> Phong<'a> {
         } else {
             face.rays.to_eye.at(x, y)
         };
-        let normal = unit(self.normals.at(u, v));
+        let normal = unit(self.normal_by_uv.at(u, v));
         self.surface.sum(normal, unit(to_eye), |light| {
             let from_eye = light.position - face.rays.lens.eye;
             unit(if is_clamped {

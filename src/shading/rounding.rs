@@ -24,7 +24,7 @@ pub const CHORD: f64 = 50.0;
 /// ```text
 ///   operation                   count       why
 ///   a, b, c stored              1 + r       once each, at their sizes
-///   x, y                        2 r         1 / half extent, and its product with the distance in pixels
+///   x, y                        2 r         1 / half extent, and its product with the distance in pixels; of a node one
 ///   products                    r           once each
 ///   sums                        2 + 2 r     once each, at the size of the sum, at most 1 + r
 ///   delta                       3 + 6 r     in all; over the least length, the error of the direction of V

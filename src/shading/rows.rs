@@ -35,8 +35,8 @@ const FIXED_OFFSET: f32 = 49_152.0;
 const BIAS: f64 = 49_152.5;
 
 /// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
-/// another. A negative change of the lower half
-/// borrows from the upper one. The sum returns it, because each channel's sum is within 0..65536.
+/// another. A negative change of the lower half borrows from the upper one. The sum returns it, because each channel's sum
+/// is within 0..65536.
 pub struct Ramp<S: Simd> {
     /// The levels at the start of each row, and the changes from there to each column of the part.
     starts: [[u32; MAX_SIDE]; 2],

@@ -51,7 +51,7 @@ impl Spans<'_> {
         self.clipped(rows.clone(), [0, i32::MAX as usize])
     }
 
-    /// Which of the spans are those of some rows of the picture.
+    /// The indices of the spans of some rows of the picture.
     #[inline(always)]
     fn local(&self, rows: Range<usize>) -> Range<usize> {
         let len = self.from.len();

@@ -127,7 +127,7 @@ fn set_bits(row: &mut [u64], span: Range<usize>) -> bool {
     overlap != 0
 }
 
-/// Writes a span of a piece into the depth buffer of a strip where it is nearest; `place` is its first pixel, relative to the
+/// Writes a span of a piece into the depth buffer of a strip where it is nearest. Its first pixel is at `left`, `y` from the
 /// middle of the picture. Where no id is set, the depth is that of an earlier strip, and counts as the farthest.
 #[inline(always)]
 fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {

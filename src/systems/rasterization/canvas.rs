@@ -21,7 +21,7 @@ pub struct Canvas<'a, 'b> {
     pub spans: Spans<'a>,
     /// See [`crate::frame::face_id`].
     pub face_id: u32,
-    /// Those of a square that are evaluated one by one.
+    /// The pixels of a square that are evaluated one by one.
     pub pixels: &'a mut Pixels,
     /// The counts of the thread.
     pub counts: &'a mut Counts,
@@ -159,7 +159,7 @@ impl Canvas<'_, '_> {
         seen.to_bitmask() as u32 & covered
     }
 
-    /// Draws the seen pixels of a square, of this number, with the colours of these rows.
+    /// Draws the pixels of a square that are seen, `seen` in number, with the colours of these rows.
     #[inline(always)]
     pub fn draw<S: Simd>(
         &mut self,

@@ -101,7 +101,7 @@ impl DrawList {
         }
     }
 
-    /// The index of a material's highlights.
+    /// The index in `glosses` of the constants of a material's highlights.
     fn gloss(&mut self, material: &Material, centre: DVec3) -> usize {
         let last = self.glosses.last();
         if last.is_none_or(|gloss| gloss.material != *material) {
