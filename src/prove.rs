@@ -366,3 +366,6 @@ pub fn prove_at<const COUNT: usize>(
     }
     Ok(proofs)
 }
+
+#[cfg(test)]
+mod tests;

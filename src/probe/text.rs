@@ -165,3 +165,21 @@ fn numbers(values: DVec3, negligible: f64) -> String {
         _ => format!("{value:.1e}"),
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_errors_of_a_vector_are_written_as_zero() {
+        for (numbers, expected) in [
+            ([-1.0, 1e-17, -1e-17], ["-1.000", "0", "0"]),
+            ([-1e-17, 1e-17, 2e-17], ["-1.0e-17", "1.0e-17", "2.0e-17"]),
+            ([0.0; 3], ["0"; 3]),
+        ] {
+            let text = vector(Some(DVec3::from(numbers)));
+            let cells: Vec<&str> = text.split_whitespace().collect();
+            assert_eq!(cells, expected);
+        }
+    }
+}

@@ -160,6 +160,23 @@ mod tests {
     use crate::trade::metrics::{Picture, compared};
 
     #[test]
+    fn labels_are_centred_below_the_scale_and_apart() {
+        let (pixels, [width, _]) = with_legend(&[0], [1, 1], "");
+        // In the lower half of the scale's row.
+        let rows: Vec<&[u32]> = pixels.chunks_exact(width).skip(1 + 46).take(16).collect();
+        let is_inked = |column: &usize| rows.iter().any(|row| row[*column] != PAPER);
+        let inked: Vec<usize> = (0..width).filter(is_inked).collect();
+        let gaps = inked.windows(2).filter(|pair| pair[1] - pair[0] > 4);
+        assert_eq!(gaps.count() + 1, Scale::WIDEST.ticks().len());
+        // The ticks of the ends are in columns 20 and 588.
+        let [first, last] = [inked[0], inked[inked.len() - 1]];
+        assert!(
+            (20..24).contains(&first) && (592..604).contains(&last),
+            "{first} {last}"
+        );
+    }
+
+    #[test]
     fn the_colours_are_magma() {
         // matplotlib's magma at 0, 128/255 and 1, times 255.
         for (at, expected) in [

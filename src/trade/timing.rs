@@ -140,6 +140,7 @@ pub fn of_batches(
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
+    use std::thread::sleep;
 
     use anyhow::bail;
 
@@ -186,6 +187,18 @@ mod tests {
         assert!((9_000..=MAX_SAMPLES).contains(&timings[0].samples));
         assert!(batch(0, 2, Duration::ZERO, |_| bail!("no")).is_err());
         assert!(of_batches(|_| bail!("no"), |_| ()).is_err());
+    }
+
+    #[test]
+    fn a_batch_ends_after_at_least_half_of_its_time() {
+        let begin = Instant::now();
+        let time = Duration::from_millis(160);
+        let frame = |_| {
+            sleep(Duration::from_micros(100));
+            Ok(())
+        };
+        batch(0, 1, time, frame).expect("nothing fails");
+        assert!(begin.elapsed() >= time / BATCHES as u32 / 2);
     }
 
     #[test]

@@ -87,9 +87,10 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 #[test]
 fn factor_times_strength_is_phongs_term_and_the_factor_follows_from_the_cosines() {
     let mut scene = Scene::load(None).expect("it is built in");
-    let view = view_from(&scene, 0, [96, 72]);
+    // The cuboid is cut off on the left and on the right.
+    let view = view_from(&scene, 0, [32, 72]);
     let mut lit = 0;
-    for pixel in (0..96 * 72).step_by(7).map(|at| [at % 96, at / 96]) {
+    for pixel in (0..32 * 72).step_by(3).map(|at| [at % 32, at / 32]) {
         let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
         let Some(surface) = probe.surface else {
             continue;
@@ -239,11 +240,8 @@ fn a_section_of_a_scene_with_many_lights_has_fewer_pixels() {
         let some = section(&record);
         let few = all.len() / step;
         assert!((few..=few + 2).contains(&some.len()), "{}", some.len());
-        let kept = [
-            all.first(),
-            all.last(),
-            all.iter().find(|it| it.pixel[0] == 241),
-        ];
+        let own = all.iter().find(|it| it.pixel[0] == 241);
+        let kept = [all.first(), all.last(), own];
         let is_kept = |it: &Probe| some.iter().any(|other| other.pixel == it.pixel);
         assert!(kept.into_iter().flatten().all(is_kept), "{step}");
     }

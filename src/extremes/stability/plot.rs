@@ -92,3 +92,59 @@ fn draw(area: &Area, curves: &[ErrorCurve]) -> anyhow::Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use serde::Deserialize;
+
+    use super::*;
+    use crate::extremes::stability::sweeps::SWEEPS;
+
+    #[derive(Deserialize)]
+    struct Svg {
+        text: Vec<Element>,
+    }
+
+    #[derive(Debug, Deserialize)]
+    struct Element {
+        #[serde(rename = "@x")]
+        x: u32,
+        #[serde(rename = "@y")]
+        y: u32,
+        #[serde(rename = "$text", default)]
+        text: String,
+    }
+
+    #[test]
+    fn the_plot_names_every_evaluation_in_its_key_and_every_number_and_limit() {
+        let errors = [[(1e-3, [[1e-9; 2]; 4]), (1e3, [[0.1, 1.0]; 4])]; 1];
+        let curves = SWEEPS.iter().flat_map(|sweep| {
+            [0, 1, 2, 3].map(|evaluation| ErrorCurve::new(sweep, evaluation, &errors[0]))
+        });
+        let curves: Vec<ErrorCurve> = curves.collect();
+        let text = svg(&curves).expect("it is drawn");
+        let Svg { text } = quick_xml::de::from_str(&text).expect("it is XML");
+        assert!(
+            text.iter().all(|it| it.x < SIZE.0 && it.y < SIZE.1),
+            "{text:?}"
+        );
+        let place = |part: &str| {
+            let found = text.iter().find(|it| it.text.contains(part));
+            found.map(|it| (it.x, it.y)).expect(part)
+        };
+        let keys = EVALUATIONS.map(|(id, _)| format!("{id}, limit"));
+        let keys = keys
+            .iter()
+            .map(|it| place(it))
+            .chain([place("not decided")]);
+        let keys: Vec<(u32, u32)> = keys.collect();
+        assert!(
+            keys.is_sorted_by(|a, b| a.0 + 100 < b.0 && a.1 == b.1),
+            "{keys:?}"
+        );
+        let numbers = SWEEPS.iter().map(|sweep| place(sweep.number));
+        assert!(numbers.is_sorted_by_key(|(x, y)| (y, x)));
+        let limits = text.iter().filter(|it| it.text.trim() == "0.05");
+        assert_eq!(limits.count(), SWEEPS.len());
+    }
+}

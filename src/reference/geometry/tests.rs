@@ -1,4 +1,5 @@
-//! The bounds of a cuboid against a search of the whole picture, and faces nearly parallel to the picture.
+//! The bounds of a cuboid against a search of the whole picture, faces nearly parallel to the picture, points beside a face,
+//! and the weights of the shortcut.
 
 use glam::DVec3;
 
@@ -125,4 +126,56 @@ fn a_face_parallel_to_the_picture_up_to_rounding_is_certainly_hit() {
             );
         }
     }
+}
+
+#[test]
+fn beside_a_face_a_line_shows_its_point_of_the_plane_or_beyond_the_horizon_any_point() {
+    let (eye, upper) = (DVec3::new(0.2, 6.0, 1.0), 2);
+    let mesh = Mesh::cuboid(DVec3::splat(2.0));
+    for (target, points) in [
+        ([0.4, 1.0, 0.3], 2),
+        ([0.3, 1.0, 0.4], 2),
+        ([5.0, 9.0, 2.0], 1),
+    ] {
+        let view = View {
+            size: [3, 3],
+            ..view(eye, target.into(), Projection::Perspective)
+        };
+        let sight = Sight::<Interval>::new(&view, None);
+        let solid = CuboidGeometry::new(&sight, &Transform::default(), &mesh, [0..3, 0..3]);
+        let beside = solid.beside(upper, &solid.line(&sight, 1, 1));
+        assert_eq!(beside.len(), points, "{target:?}");
+        for place in beside {
+            let [x, _, z] = place.share.0.map(Real::endpoints);
+            if points == 1 {
+                assert!([x, z].iter().all(|it| it[0] <= -0.5 && it[1] >= 0.5));
+            } else {
+                assert!((x[0] - target[0] / 2.0).abs() < 1e-12, "{x:?}");
+                assert_eq!(place.is_on_first, Some(target[2] > target[0]));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_shortcut_weighs_by_depth_where_no_corner_is_nearer_than_the_near_plane() {
+    let view = view(
+        DVec3::new(2.0, 3.0, 5.0),
+        DVec3::ZERO,
+        Projection::Perspective,
+    );
+    let sight = Sight::<Interval>::new(&view, None);
+    let mesh = Mesh::cuboid(DVec3::splat(2.0));
+    let mut solid = CuboidGeometry::new(&sight, &Transform::default(), &mesh, [0..3, 0..3]);
+    let (corners, weights) = ([1, 3, 7], [0.2, 0.3, 0.5].map(Interval::of));
+    let depths = corners.map(|corner| solid.corner_depth(corner).endpoints()[0]);
+    let nearest = depths.into_iter().fold(f64::INFINITY, f64::min);
+    let mut weighed = |near: f64| {
+        solid.near = Interval::of(near);
+        let weighed = solid.shortcut_weights(corners, weights);
+        weighed.map(Real::endpoints)
+    };
+    assert_eq!(weighed(nearest + 0.5), weights.map(Real::endpoints));
+    assert_eq!(weighed(nearest - 0.5), weighed(0.0));
+    assert_ne!(weighed(nearest - 0.5), weights.map(Real::endpoints));
 }

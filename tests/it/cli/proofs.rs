@@ -59,7 +59,7 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
             "prove two.toml --picture drawn.png",
             1,
             "perspective, 96x72, scene, tolerance 0.5|largest proven|where 1 is allowed, half a level of it|\
-             is refuted, aside, face ",
+             The pixels that are not proven|is refuted, aside, face ",
             "0.000000 to ",
         ),
         ("prove --picture wide.png", 1, "proven     0 of", "largest"),

@@ -139,19 +139,14 @@ fn the_text_shows_every_value_in_rows() {
     let numbers = |name: &str| -> Vec<f64> {
         let at = lines.iter().position(|line| line.contains("factor at"));
         let cells = cells(&lines[at.expect("a heading")..], "factor", name);
-        cells
-            .iter()
-            .map(|it| it.parse().expect("a number"))
-            .collect()
+        let numbers = cells.iter().map(|it| it.parse().expect("a number"));
+        numbers.collect()
     };
     let weights = numbers("weight");
     for light in surface.lights() {
         let factors = numbers(&light.name);
-        let sum: f64 = weights
-            .iter()
-            .zip(factors)
-            .map(|(w, factor)| w * factor)
-            .sum();
+        let terms = weights.iter().zip(factors).map(|(w, factor)| w * factor);
+        let sum: f64 = terms.sum();
         assert!((light.strength * sum - light.gouraud).length() < 1e-4 * light.strength.length());
     }
     let exact = surface.sample.as_ref().expect("the same face");

@@ -152,8 +152,8 @@ fn a_sign_is_known_if_all_of_the_interval_has_it() {
         ([-1.0, 0.0], 0.5, None),
         ([-1.0, 1.0], 0.5, None),
         // Within the margin.
-        ([0.4, 2.0], 0.5, None),
-        ([-2.0, -0.4], 0.5, None),
+        ([0.5, 2.0], 0.5, None),
+        ([-2.0, -0.5], 0.5, None),
         ([0.0, 0.0], 0.5, None),
         ([0.4, 2.0], 0.0, Some(Ordering::Greater)),
         ([0.0, 0.0], 0.0, Some(Ordering::Equal)),

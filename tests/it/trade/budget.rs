@@ -112,7 +112,7 @@ fn best_trades_are_ordered_from_the_fastest_on() {
     assert!(text.contains("1.00 ms") && !text.contains("over"), "{text}");
     let (chosen, text) = says(0.15);
     assert_eq!(chosen.method, Method::of(Gouraud, 0.5));
-    assert!(text.contains("0.050 ms over"), "{text}");
+    assert!(text.contains("0.050 ms over the budget; nothing"), "{text}");
     assert!(text.contains("165"), "{text}");
     assert!(held(&[], 1.0).is_none());
 }

@@ -103,6 +103,8 @@ fn every_method_has_its_error_map_with_a_legend() {
 struct Svg {
     #[serde(default)]
     circle: Vec<Element>,
+    #[serde(default)]
+    polyline: Vec<Element>,
     text: Vec<Element>,
 }
 
@@ -115,6 +117,8 @@ struct Element {
     center_y: f64,
     #[serde(rename = "@fill")]
     fill: String,
+    #[serde(rename = "@points")]
+    points: String,
     #[serde(rename = "@x")]
     x: f64,
     #[serde(rename = "@y")]
@@ -165,6 +169,9 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
         let [right, below] = [label.x > disc.center_x, label.y > disc.center_y];
         assert_eq!([right, below], [!one.on_front, one.on_front], "{label:?}");
     }
+    // Two points of the front for each of three best trades, and its end.
+    let is_front = |it: &Element| it.points.split_whitespace().count() == 2 * 3 + 1;
+    assert!(plot.polyline.iter().any(is_front), "{:?}", plot.polyline);
     // A disc and a rim for each of four methods.
     assert_eq!(plot.circle.len(), 2 * 4);
     assert!(Svg::of(&empty_report()).circle.is_empty());
@@ -175,10 +182,9 @@ fn labels_do_not_overlap_where_points_coincide() {
     let mut report = report();
     report.methods = vec![report.methods[0].clone(); 9];
     for on_front in [true, false] {
-        report
-            .methods
-            .iter_mut()
-            .for_each(|it| it.on_front = on_front);
+        for one in &mut report.methods {
+            one.on_front = on_front;
+        }
         let plot = Svg::of(&report);
         let mut rows = plot.rows("gouraud-0.5");
         rows.sort_by(f64::total_cmp);
@@ -188,4 +194,7 @@ fn labels_do_not_overlap_where_points_coincide() {
         let middle = plot.circle[0].center_y;
         assert!(rows.iter().all(|row| (*row > middle) == on_front));
     }
+    // A time that is too short for the clock has no place.
+    report.methods[0].timing.median = 0.0;
+    assert_eq!(Svg::of(&report).circle.len(), 2 * 8);
 }
