@@ -235,7 +235,7 @@ impl App {
 /// The differences between two records as JSON, in words: "light white on", "shading of several cuboids", "several changes".
 pub(super) fn difference(before: &Value, after: &Value) -> String {
     let patch = json_patch::diff(&by_name(before.clone()), &by_name(after.clone()));
-    let mut paths = patch.iter().map(|change| {
+    let paths = patch.iter().map(|change| {
         let keys = change.path().tokens().map(|key| key.decoded().into_owned());
         // Without the places of the numbers of a vector. The name of an entity may be a number.
         let keys = keys
@@ -243,6 +243,9 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
             .filter(|(depth, key)| *depth == 1 || key.parse::<u8>().is_err());
         keys.map(|(_, key)| key).collect::<Vec<String>>()
     });
+    // The sides of a wipe follow the tolerance and the view, which name the change.
+    let (sides, others): (Vec<_>, Vec<_>) = paths.partition(|path| path[..] == ["view", "sides"]);
+    let mut paths = if others.is_empty() { sides } else { others }.into_iter();
     let mut words = paths.next().unwrap_or_default();
     let mut last = words.last().cloned();
     let mut are_entities = words.len() == 2;

@@ -58,6 +58,7 @@ impl App {
         });
         let caption = ui.small(match (self.facts.trade.is_current, self.progress()) {
             (false, Some((step, _))) => step,
+            (false, None) if self.facts.trade.value.is_none() => "times follow".to_owned(),
             (false, None) => "measured before the last change; new times follow".to_owned(),
             _ => "up: error, levels; right: ms a frame".to_owned(),
         });

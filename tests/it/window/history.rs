@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use egui::Key::{self, ArrowLeft, C, CloseBracket, F4, Num2, O, P, Plus, W};
 use egui::{Event, Modifiers};
-use shadetrade::components::LightKind;
+use shadetrade::components::{LightKind, Side};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::history::{State, history};
 
@@ -88,9 +88,7 @@ fn undo_does_not_change_rotation_and_tab() {
     let mut window = Window::open();
     window.press(Key::W);
     window.wait(PAUSE);
-    for key in [Key::E, Key::Space] {
-        window.press(key);
-    }
+    [Key::E, Key::Space].map(|key| window.press(key));
     (0..20).for_each(|_| window.wait(PAUSE / 50));
     let before = window.record();
     assert!(before.view.turned > 0);
@@ -105,22 +103,23 @@ fn undo_does_not_change_rotation_and_tab() {
 #[test]
 fn an_undone_change_is_named() {
     type Change = fn(&mut SceneRecord);
-    let changes: [(Change, &str); 7] = [
+    let changes: [(Change, &str); 8] = [
         (|it| it.light[1].intensity = 3.0, "light red intensity"),
         (
             |it| it.light.iter_mut().for_each(|it| it.on = false),
             "on of several lights",
         ),
         (|it| drop(it.light.remove(0)), "light white"),
-        (
-            |it| it.camera[0].name = "camera 1".to_owned(),
-            "camera name",
-        ),
+        (|it| it.camera[0].name = "c".to_owned(), "camera name"),
         (|it| it.cuboid[0].size *= 2.0, "cuboid emerald size"),
         (|it| it.background.x = 3.0, "background"),
         (
             |it| (it.light[1].gain, it.background.x) = (2.0, 3.0),
             "several changes",
+        ),
+        (
+            |it| (it.view.tolerance, it.view.sides) = (1.0, Side::gouraud_phong(1.0)),
+            "view tolerance",
         ),
     ];
     for (change, words) in changes {
