@@ -212,14 +212,24 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
     }
 }
 
-/// The error of a first word that is similar to a command. It would be read as the scene of `view`. No built-in scene's name
-/// is similar to a command.
+/// The error of a first word that is similar to a command, or of a command after options. It would be read as the scene of
+/// `view`. No built-in scene's name is similar to a command.
 fn mistyped(words: &[OsString]) -> Option<clap::Error> {
     let word = words.get(1)?.to_str()?;
+    let mut commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
+    if word.starts_with('-') {
+        // Each option of `view` takes a value.
+        let is_late = |pair: &&[OsString]| {
+            let is_value = pair[0].to_string_lossy().starts_with('-');
+            !is_value && commands.find_subcommand(&pair[1]).is_some()
+        };
+        let command = words[1..].windows(2).find(is_late)?[1].display();
+        let message = format!("the command `{command}` stands before all options");
+        return Some(commands.error(clap::error::ErrorKind::ArgumentConflict, message));
+    }
     if word.contains(['.', '/']) || Path::new(word).exists() {
         return None;
     }
-    let commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
     let error = commands.try_get_matches_from(&words[..2]).err()?;
     error.get(ContextKind::SuggestedSubcommand)?;
     Some(error)

@@ -81,8 +81,8 @@ impl ProbedSurface {
         } else if !is_specular && light.corner_factors.contains(&0.0) {
             format!("A vertex faces away from {name}: n.l is negative there and counts as 0")
         } else {
-            let course = if is_less { "rises over" } else { "falls below" };
-            format!("{factor} of {name} {course} a straight line between the vertices")
+            let course = if is_less { "above" } else { "below" };
+            format!("{factor} of {name} lies {course} a straight line between the vertices")
         };
         let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
         let cause =

@@ -79,7 +79,7 @@ pub fn with_bar<T>(work: impl FnOnce(Monitor) -> anyhow::Result<T>) -> anyhow::R
     let style = style.with_key("left", |state: &ProgressState, text: &mut dyn Write| {
         // Before the first estimate it is 0.
         let left = state.eta();
-        if !left.is_zero() {
+        if left.as_secs() > 0 {
             // A failure would leave the bar without the time.
             let _ = write!(text, ", {:#} left", HumanDuration(left));
         }

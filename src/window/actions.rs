@@ -204,6 +204,7 @@ impl App {
         record.view = found.view_as(&present.0.view);
         self.restore(&record);
         let change = difference(&json!(*present.0), &json!(record));
+        let change = change.unwrap_or_else(|| "several changes".to_owned());
         self.say(format!("{verb}: {change}"));
     }
 
@@ -232,8 +233,9 @@ impl App {
     }
 }
 
-/// The differences between two records as JSON, in words: "light white on", "shading of several cuboids", "several changes".
-pub(super) fn difference(before: &Value, after: &Value) -> String {
+/// The difference between two records as JSON, in words: "light white on", "shading of several cuboids", "tolerance". `None`
+/// if they differ in several things.
+pub(super) fn difference(before: &Value, after: &Value) -> Option<String> {
     let patch = json_patch::diff(&by_name(before.clone()), &by_name(after.clone()));
     let paths = patch.iter().map(|change| {
         let keys = change.path().tokens().map(|key| key.decoded().into_owned());
@@ -244,7 +246,7 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
         keys.map(|(_, key)| key).collect::<Vec<String>>()
     });
     // The sides of a wipe follow the tolerance and the view, which name the change.
-    let (sides, others): (Vec<_>, Vec<_>) = paths.partition(|path| path[..] == ["view", "sides"]);
+    let (sides, others): (Vec<_>, Vec<_>) = paths.partition(|path| path[..] == ["sides"]);
     let mut paths = if others.is_empty() { sides } else { others }.into_iter();
     let mut words = paths.next().unwrap_or_default();
     let mut last = words.last().cloned();
@@ -258,22 +260,28 @@ pub(super) fn difference(before: &Value, after: &Value) -> String {
         words.truncate(common.count());
         last.take_if(|last| path.last() != Some(last));
     }
-    match (&*words, last) {
+    Some(match (&*words, last) {
         ([kind, name, ..], _) if name.starts_with(kind) => words[1..].join(" "),
         ([_, _, ..], _) => words.join(" "),
         ([only], Some(key)) if *only == key => key,
         ([kind], Some(key)) => format!("{key} of several {kind}s"),
         ([kind], None) if are_entities => format!("{kind} name"),
-        _ => "several changes".to_owned(),
-    }
+        _ => return None,
+    })
 }
 
-/// A record with its entities by name in place of lists.
+/// A record with its entities by name in place of lists, and with the keys of the view beside those.
 fn by_name(mut record: Value) -> Value {
     for kind in ["cuboid", "light", "camera"] {
         if let Value::Array(all) = record[kind].take() {
             let name = |it: &Value| it["name"].as_str().unwrap_or_default().to_owned();
             record[kind] = all.into_iter().map(|it| (name(&it), it)).collect();
+        }
+    }
+    if let Value::Object(view) = record["view"].take() {
+        for (key, value) in view {
+            let key = if key == "show" { "view" } else { &key };
+            record[key] = json!(value.to_string());
         }
     }
     record["background"] = json!(record["background"].to_string());

@@ -98,24 +98,23 @@ impl App {
         if !is_shown {
             return false;
         }
-        let mut fact = |text: String, ink: Color32, is_current: bool, says: &str| {
+        let mut fact = |text: String, ink: Color32, is_current: bool, says: &str, sense: Sense| {
             let ink = if is_current { ink } else { STALE };
             ui.separator();
-            let mut label = Label::new(RichText::new(text).color(ink));
-            if says == ERROR {
-                label = label.sense(Sense::click());
-            }
+            let label = Label::new(RichText::new(text).color(ink)).sense(sense);
             ui.add(label).on_hover_text(says)
         };
         let mut is_clicked = false;
         if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
             let is_measured = self.measured_time().is_some();
-            fact(format!("{} ms", short(time)), INK, is_measured, TIME);
+            let time = format!("{} ms", short(time));
+            fact(time, INK, is_measured, TIME, Sense::hover());
         }
         let comparison = &self.facts.comparison;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
             let text = format!("{} levels off exact Phong", short(error));
-            is_clicked = fact(text, INK, comparison.is_current, ERROR).clicked();
+            let is_current = comparison.is_current;
+            is_clicked = fact(text, INK, is_current, ERROR, Sense::click()).clicked();
         }
         if let Some(it) = self.facts.proof.current() {
             let pixels = it.proven + it.refuted + it.undecided;
@@ -126,9 +125,10 @@ impl App {
             let mode = self.method().map(|it| Method::of(it.mode, 0.0));
             let exact = mode.map_or("its exact mode".to_owned(), method_name);
             let text = format!("{share} proven within {} of {exact}", it.limit);
-            fact(text, ink, true, PROVEN);
+            fact(text, ink, true, PROVEN, Sense::hover());
         } else if self.pool.is_some() {
-            fact("not proven yet".to_owned(), STALE, false, PROVEN);
+            let text = "not proven yet".to_owned();
+            fact(text, STALE, false, PROVEN, Sense::hover());
         }
         is_clicked
     }

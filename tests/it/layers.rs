@@ -74,11 +74,11 @@ fn every_module_imports_from_lower_layers_only() {
             .get(&*module)
             .unwrap_or_else(|| panic!("{module} is on no layer"));
         let text = fs::read_to_string(&path).expect("it can be read");
-        let code: Vec<&str> = text
-            .lines()
-            .filter(|line| !line.trim_start().starts_with("//"))
-            .collect();
-        for other in imported(&code.join("\n")) {
+        let is_code = |line: &&str| !line.trim_start().starts_with("//");
+        let code: Vec<&str> = text.lines().filter(is_code).collect();
+        let root = "super::".repeat(inside.iter().count());
+        let code = code.join("\n").replace(&root, "crate::");
+        for other in imported(&code) {
             let Some(below) = layer_of.get(other).filter(|_| other != module) else {
                 continue;
             };

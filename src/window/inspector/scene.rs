@@ -93,7 +93,10 @@ impl App {
                     self.restore(&record);
                     self.desk.message = None;
                 }
-                Err(error) => self.say(format!("{}: {error}", difference(&before, &scene))),
+                Err(error) => self.say(match difference(&before, &scene) {
+                    Some(key) => format!("{key}: {error}"),
+                    None => error.to_string(),
+                }),
             }
         }
     }

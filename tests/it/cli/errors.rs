@@ -10,6 +10,7 @@ use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
 const FAILURES: &str = r#"
 2  --size 0x0  ->  '0x0'|1x1 to 16384x16384
 2  rendr  ->  'rendr'|'render'
+2  --camera 2 render -o b.png  ->  `render`|before all options
 2  --size 16385x1  ->  '16385x1'
 2  view --size 960  ->  '960'|such as 960x720
 2  render -o b.png --size -5x5  ->  '-5x5'
@@ -107,11 +108,8 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
         let (status, rest) = row.split_once("  ").expect("a status");
         let (line, words) = rest.split_once("  ->  ").expect("words");
         let line = line.replace("LONG", &"n".repeat(300));
-        assert_failed(
-            &run(folder, &line),
-            status.parse().expect("a number"),
-            words,
-        );
+        let status = status.parse().expect("a number");
+        assert_failed(&run(folder, &line), status, words);
     }
     assert_eq!(listing(folder), before);
     assert_eq!(get(folder, "a.toml"), SCENE.as_bytes());

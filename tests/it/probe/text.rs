@@ -25,7 +25,7 @@ fn the_cause_is_that_of_the_light_that_differs_most() {
         // No corner has more than 3 % of the highlight: the table of the probe has 4.0 and 165.
         (HIGHLIGHT, |_| (), "No vertex lies in the highlight"),
         // At its edge a pixel has 12 % of the highlight, and a corner a quarter of that.
-        ([530, 312], |_| (), "(o.r)^76.8 of light specular rises"),
+        ([530, 312], |_| (), "(o.r)^76.8 of light specular lies"),
         (HIGHLIGHT, ambient, "No diffuse or specular light"),
         (HIGHLIGHT, dark, "No diffuse or specular light"),
         // The light is behind the face: n.l is 0 at all of its corners but those that lean to it.

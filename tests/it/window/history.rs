@@ -88,7 +88,8 @@ fn undo_does_not_change_rotation_and_tab() {
     let mut window = Window::open();
     window.press(Key::W);
     window.wait(PAUSE);
-    [Key::E, Key::Space].map(|key| window.press(key));
+    window.press(Key::E);
+    window.press(Key::Space);
     (0..20).for_each(|_| window.wait(PAUSE / 50));
     let before = window.record();
     assert!(before.view.turned > 0);
@@ -119,7 +120,7 @@ fn an_undone_change_is_named() {
         ),
         (
             |it| (it.view.tolerance, it.view.sides) = (1.0, Side::gouraud_phong(1.0)),
-            "view tolerance",
+            "tolerance",
         ),
     ];
     for (change, words) in changes {
