@@ -202,6 +202,7 @@ pub fn highlight_error<S: Simd>(
     let base = if rho >= 3.0 { most } else { least };
     let over = 1.0 / base;
     let peaks = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
+    // a bounds the factor of 3 E_1 E_2 + c E_3, and chord bounds c.
     let a = power * over * rho;
     let b = (power * over * over * sine).min(peaks[0]) * (3.0 * second);
     let d = (power * over * over * over * sine * sine * sine).min(peaks[1]) * third;

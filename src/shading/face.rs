@@ -244,13 +244,13 @@ impl<'a> Face<'a> {
         let end = f64::max(u.2, v.2);
         let turned = SNAPPING * w.dx.hypot(w.dy);
         // Beyond the horizon every point is infinitely far.
-        let least = if uvw.z > 0.0 { uvw.z } else { 0.0 };
+        let ahead = if uvw.z > 0.0 { uvw.z } else { 0.0 };
         // Never in orthographic projection: w is the same everywhere, so `turned` is 0.
-        if end > least && end - uvw.z <= turned {
+        if end > ahead && end - uvw.z <= turned {
             return [u, v].map(|(foot, step, _)| (foot + step / end).clamp(-1.0, 1.0));
         }
         let on = |u: f64| if u.is_nan() { 0.0 } else { u.clamp(-1.0, 1.0) };
-        [on(uvw.x / least), on(uvw.y / least)]
+        [on(uvw.x / ahead), on(uvw.y / ahead)]
     }
 
     /// A point of the face, from the eye, in world units.

@@ -11,7 +11,7 @@ use crate::components::Material;
 /// The part of the tolerance that all highlights too faint to be drawn may use together. With a larger part more highlights
 /// are left out, but other errors must be smaller. A tenth or a half changes the instructions of a frame by 1 to 2 % (default
 /// scene and bench-far, tolerance 0.5).
-const DROPPED: f64 = 0.25;
+const FAINT_SHARE: f64 = 0.25;
 
 /// If 0 < rho < 1, a pixel with s below this is evaluated in f64, because the slope of s^rho is unbounded at s = 0.
 const DOUBT: f64 = 1.0 / 256.0;
@@ -44,7 +44,7 @@ impl Gloss {
         let brightest = points
             .map(|light| surface.coefficients(light)[1].max_element())
             .fold(0.0, f64::max);
-        let faint = DROPPED * limit(tolerance) / surface.powers().max(1) as f64;
+        let faint = FAINT_SHARE * limit(tolerance) / surface.powers().max(1) as f64;
         let drawn_above = if brightest <= faint {
             f64::INFINITY
         } else if shininess == 0.0 {

@@ -12,7 +12,7 @@ use super::affine::Affine;
 use super::bound;
 use super::face::Face;
 use super::field::{Extents, single};
-use super::interpolation::{Interpolant, LEBESGUE, sampled};
+use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
 use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
@@ -123,7 +123,7 @@ impl<'a> Gouraud<'a> {
             return (None, 0);
         }
         let is_cut = meets[0] & meets[1];
-        let rest = splat(self.tolerance) - error - rounding * LEBESGUE;
+        let rest = splat(self.tolerance) - error - rounding * AMPLIFICATION;
         let rest = (bounded & !is_cut).select(rest, splat(-1.0));
         let sample = inlined!(|xy| {
             let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);

@@ -22,9 +22,9 @@ use crate::simd::{four, three};
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
 
-/// The factor by which interpolation may enlarge errors of the samples: the square of the Lebesgue constant 5/3 of three
+/// The factor by which interpolation may amplify errors of the samples: the square of the Lebesgue constant 5/3 of three
 /// nodes.
-pub const LEBESGUE: f64 = 25.0 / 9.0;
+pub const AMPLIFICATION: f64 = 25.0 / 9.0;
 
 /// The coefficients of the quadratic through samples at the nodes.
 #[inline(always)]

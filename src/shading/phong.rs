@@ -25,7 +25,7 @@ use super::affine::Affine;
 use super::face::Face;
 use super::field::{Extents, Field};
 use super::gloss::Gloss;
-use super::interpolation::{Interpolant, LEBESGUE, sampled};
+use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
 use super::lanes::{LaneLayout, Squares, dot, has};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
@@ -240,7 +240,7 @@ impl<'a> Phong<'a> {
         }
         let rounding = rounding.levels();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
-        let rest = bounded.select(rest - rounding * LEBESGUE, -one);
+        let rest = bounded.select(rest - rounding * AMPLIFICATION, -one);
         (rest, (steady & unsure.simd_le(UNSURE)).to_bitmask())
     }
 

@@ -214,7 +214,7 @@ fn samples_err_by_no_more_in_between_than_the_constant_says() {
     let samples = signs.map(|y: f64| signs.map(|x| f64x4::splat(simd, x * y)));
     let terms = biquadratic(&samples).map(|row| row.map(|term| term.as_array()[0]));
     let corner: f64 = terms.as_flattened().iter().sum();
-    assert!((corner - LEBESGUE).abs() < 1e-12, "{corner}");
+    assert!((corner - AMPLIFICATION).abs() < 1e-12, "{corner}");
 }
 
 #[test]
