@@ -117,9 +117,9 @@ mod tests {
 
     #[test]
     fn the_plot_names_every_evaluation_in_its_key_and_every_number_and_limit() {
-        let errors = [[(1e-3, [[1e-9; 2]; 4]), (1e3, [[0.1, 1.0]; 4])]; 1];
+        let errors = [(1e-3, [[1e-9; 2]; 4]), (1e3, [[0.1, 1.0]; 4])];
         let curves = SWEEPS.iter().flat_map(|sweep| {
-            [0, 1, 2, 3].map(|evaluation| ErrorCurve::new(sweep, evaluation, &errors[0]))
+            [0, 1, 2, 3].map(|evaluation| ErrorCurve::new(sweep, evaluation, &errors))
         });
         let curves: Vec<ErrorCurve> = curves.collect();
         let text = svg(&curves).expect("it is drawn");
