@@ -1,7 +1,9 @@
-//! The order of the pixels that a proof lists.
+//! The order of the pixels that a proof lists, and a tied gate.
 
 use super::Verdict::{Refuted, Undecided};
 use super::*;
+use crate::components::{Projection, ShadingMode};
+use crate::scene::Scene;
 
 #[test]
 fn refuted_pixels_come_first_and_of_these_the_ones_that_err_most() {
@@ -27,4 +29,19 @@ fn refuted_pixels_come_first_and_of_these_the_ones_that_err_most() {
         .map(|it| (it.verdict, it.error[0]))
         .collect();
     assert_eq!(found, [(Refuted, 2.0), (Refuted, 1.0), (Undecided, 9.0)]);
+}
+
+/// n.l is 4e-7 at pixel 5,5, which is tied: the gate of the shortcut is open there in floats.
+#[test]
+fn a_tied_gate_of_the_shortcut_may_be_open() {
+    let text = include_str!("../../assets/extremes/gate-open-by-1e-5.toml");
+    let text = text.replace("2.0001", "2.000004");
+    let mut world = Scene::parse("tied", &text).expect("a scene").world;
+    let view = View {
+        projection: Projection::Orthographic,
+        ..View::of(&world, [11, 11]).shaded(ShadingMode::UnitVectors)
+    };
+    let (level, monitor) = (Level::new(), Monitor::NONE);
+    let proof = prove(&mut world, &view, None, level, monitor).expect("a small picture fits");
+    assert_eq!(proof.proven, 121, "{:?}", proof.examples);
 }

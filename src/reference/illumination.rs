@@ -252,13 +252,19 @@ impl<R: Real> ReferenceSurface<R> {
     }
 
     /// The assignment's shortcut: the corners' unit n, l and o are interpolated and not normalised again.
-    pub fn unit_vectors(&self, corners: [usize; 3], weights: [R; 3]) -> Lit<R> {
+    pub fn unit_vectors(&self, corners: [usize; 3], weights: [R; 3], open: Open) -> Lit<R> {
         let between = |vector: &dyn Fn(&Corner<R>) -> RealVector<R>| {
             blend(corners.map(|corner| vector(&self.corners[corner])), weights)
         };
         let to_light = |light: usize| between(&|corner| corner.to_lights[light]);
         let normal = between(&|corner| corner.normal);
-        self.lit(normal, between(&|corner| corner.to_eye), to_light, 0, TIES)
+        self.lit(
+            normal,
+            between(&|corner| corner.to_eye),
+            to_light,
+            open,
+            TIES,
+        )
     }
 }
 

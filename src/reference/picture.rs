@@ -243,7 +243,7 @@ impl<R: Real> ReferenceCuboid<R> {
         let (corners, mut weights) = CuboidGeometry::weights(face, is_first, place);
         if self.mode == ShadingMode::UnitVectors {
             let weights = self.solid.shortcut_weights(corners, weights);
-            return self.surface.unit_vectors(corners, weights);
+            return self.surface.unit_vectors(corners, weights, open);
         }
         if !self.surface.is_perspective_correct() {
             weights = self.solid.weights_on_screen(corners, weights);
