@@ -5,7 +5,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use egui::{Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, Ui};
+use egui::{
+    Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, TextWrapMode,
+    Ui,
+};
 use hecs::Entity;
 
 use super::app::App;
@@ -25,6 +28,9 @@ const TOLERANCE: [&str; 3] = [
     "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
      A coarser tolerance is faster, and 0 is exact.",
 ];
+
+/// The room of a light's colour, strength and key, in points.
+const OF_LIGHT: f32 = 112.0;
 
 const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. \
                         A number is added if the name is taken.";
@@ -72,8 +78,11 @@ impl App {
             ui.weak("The scene has no lights.");
         }
         let rows = |ui: &mut Ui, places: std::ops::Range<usize>| {
+            // Long names are cut, so that colour, strength and key keep their room.
+            let name = ui.available_width() - OF_LIGHT;
             let grid = Grid::new("lights").num_columns(4).min_col_width(0.0);
-            grid.show(ui, |ui| {
+            grid.max_col_width(name).show(ui, |ui| {
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
                 for place in places {
                     self.light_row(ui, lights[place], place);
                     ui.end_row();
