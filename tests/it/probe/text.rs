@@ -135,6 +135,7 @@ fn the_text_shows_every_value_in_rows() {
         assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
         assert_eq!(row[1] == "-", light.kind != LightKind::Specular, "{row:?}");
     }
+    assert_eq!(cells(&lines, "factor", "n.l"), ["o.r", "factor"]);
     // Gouraud by hand, from the rows of the vertices.
     let numbers = |name: &str| -> Vec<f64> {
         let at = lines.iter().position(|line| line.contains("factor at"));

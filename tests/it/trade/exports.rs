@@ -156,9 +156,8 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
     }
     assert_eq!(plot.rows("<scene> & \"quotes\"").len(), 1);
     for point in &plot.circle {
-        let is_inside = (0.0..960.0).contains(&point.center_x);
-        let is_inside = is_inside && (108.0..600.0).contains(&point.center_y);
-        assert!(is_inside, "{point:?}");
+        assert!((0.0..960.0).contains(&point.center_x), "{point:?}");
+        assert!((108.0..600.0).contains(&point.center_y), "{point:?}");
     }
     // On the front a label is below its point, to the left, and the disc is filled; other labels are above, to the right.
     let discs = plot.circle.iter().filter(|it| it.fill != "none");
@@ -169,9 +168,12 @@ fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
         let [right, below] = [label.x > disc.center_x, label.y > disc.center_y];
         assert_eq!([right, below], [!one.on_front, one.on_front], "{label:?}");
     }
-    // Two points of the front for each of three best trades, and its end.
-    let is_front = |it: &Element| it.points.split_whitespace().count() == 2 * 3 + 1;
-    assert!(plot.polyline.iter().any(is_front), "{:?}", plot.polyline);
+    // Two points of the front for each of three best trades, and its end, as steps.
+    let points = plot.polyline.iter().map(|it| it.points.split([' ', ',']));
+    let mut lines = points.map(Iterator::collect::<Vec<_>>);
+    let front = lines.find(|it| it.len() == 2 * 7 + 1).expect("it is drawn");
+    let is_step = |ends: &[&str]| ends[0] == ends[2] || ends[1] == ends[3];
+    assert!(front[..14].windows(4).step_by(2).all(is_step), "{front:?}");
     // A disc and a rim for each of four methods.
     assert_eq!(plot.circle.len(), 2 * 4);
     assert!(Svg::of(&empty_report()).circle.is_empty());
