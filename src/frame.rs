@@ -73,7 +73,7 @@ pub enum Keep {
 }
 
 /// Bit set in the kind of pixels on the upper or left edge of their square.
-pub const OUTLINE: u8 = 0x80;
+pub const SQUARE_EDGE: u8 = 0x80;
 
 /// The face of a triangle: cuboid * 6 + face, the same for both triangles of a face. [`NO_TRIANGLE`] gives a number that
 /// no cuboid has.
@@ -159,7 +159,7 @@ impl Frame {
         }
     }
 
-    /// The kind of each pixel's square: its index in [`SquareKind::ALL`](crate::shading::SquareKind::ALL), and [`OUTLINE`].
+    /// The kind of each pixel's square: its index in [`SquareKind::ALL`](crate::shading::SquareKind::ALL), and [`SQUARE_EDGE`].
     /// Undefined where no triangle is visible; empty unless [`Keep::Levels`].
     pub fn kinds(&self) -> &[u8] {
         self.buffers.kinds.as_slice()

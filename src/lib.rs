@@ -96,9 +96,9 @@
 //!
 //! Most pixels do not need the formula. A bound proves that nine samples suffice for a square ([`shading::bound`] derives
 //! it): the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
-//! derivatives and so the interpolation error. The polynomial's terms are dropped if the rest of the tolerance allows it
-//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels may be cut into quarters:
-//! if their bounds may suffice, or if f32 is too coarse. All other squares are evaluated pixel by pixel.
+//! derivatives and so the interpolation error. Its nonlinear terms are dropped if the rest of the tolerance allows it
+//! ([`shading::interpolation`]). If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters if
+//! their bounds may suffice or f32 is too coarse. All other squares are evaluated pixel by pixel.
 //! [`shading::SquareKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at
@@ -112,8 +112,8 @@
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and
 //! shares no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]).
 //! [`trade`] compares methods with it in f64 and measures their times: [`trade::metrics`] has the errors, and
-//! [`trade::flip`] estimates the difference that a person sees (Andersson et al. 2020). In intervals with outward rounding
-//! it encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the drawn picture with
+//! [`trade::flip`] estimates the difference that a person sees (Andersson et al. 2020). In intervals, rounded outwards, the
+//! reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the drawn picture with
 //! that.
 //!
 //! ```
@@ -149,8 +149,8 @@
 //! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
 //! pixel of them, and compares levels with those that are known on paper. Its charts ([`extremes::stability`]) sweep one
 //! number at a time and show where f32 and f64 exceed the tolerance. All is computed from differences to the eye, and no
-//! threshold is an absolute length: a scene that is moved, or scaled by a power of two, has the same bits if no number of
-//! it is rounded.
+//! threshold is an absolute length: a scene that is moved, or scaled by a power of two, has the same bits if none of its
+//! numbers is rounded.
 //!
 //! # What to touch to add ...
 //!

@@ -11,7 +11,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 
 use crate::components::{FileOrder, Light, Material, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers, face_id};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, SQUARE_EDGE, Workers, face_id};
 use crate::memory::OutOfMemory;
 use crate::reference::{self, LightSample, Sample};
 use crate::scene::Scene;
@@ -137,7 +137,7 @@ pub fn section(
                 drawn: levels(&own),
                 mode: view.mode(**mode),
                 tolerance: view.tolerance,
-                kind: SquareKind::ALL[usize::from(own.kinds()[row + x] & !OUTLINE)],
+                kind: SquareKind::ALL[usize::from(own.kinds()[row + x] & !SQUARE_EDGE)],
                 sample,
             }
         });

@@ -10,8 +10,8 @@
 //! in f32, whose levels are known.) The largest error of the picture is at least the largest lower end and at most the
 //! largest upper end.
 //!
-//! A part is not required if the picture without it is proven to keep the tolerance. Near an edge or a tied gate a pixel may
-//! show one of several colours. Both pictures are taken to make the same choice: a colour of one is compared with the nearest
+//! A part is not required if the picture without it is proven to keep the tolerance. Where intervals cannot tell a face or the
+//! specular gate, a pixel may show one of several colours. Both pictures are taken to make the same choice: a colour of one is compared with the nearest
 //! colour of the same face in the other. If the other cannot show that face, the colour is compared with all of its colours.
 //!
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
@@ -39,7 +39,7 @@ pub enum Part {
     EveryPixel(usize),
     /// A cuboid. Without the part the surfaces behind it are visible.
     Cuboid(usize),
-    /// f64. Without the part the reference is evaluated in f32; only the bounds of a cuboid on the screen stay intervals.
+    /// f64. Without the part the reference is evaluated in f32; only a cuboid's bounds on the screen stay intervals.
     F64,
 }
 
@@ -82,8 +82,8 @@ pub struct Change {
 /// A face that a pixel may show, and the least and the largest displayed level of each channel.
 type FaceLevels = (Option<usize>, [[f64; 2]; 3]);
 
-/// Returns the surfaces that each pixel of a row may show.
-type PixelRows = Box<dyn Fn(usize) -> Vec<Vec<FaceLevels>> + Sync>;
+/// A function from a row to the surfaces that each of its pixels may show.
+type RowSurfaces = Box<dyn Fn(usize) -> Vec<Vec<FaceLevels>> + Sync>;
 
 /// The parts of the model that a scene uses, with their names, in the order of the report.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
@@ -179,10 +179,10 @@ pub fn changes(
                 (rows(enclosures), true)
             }
         };
-        let pictures: Vec<(PixelRows, bool)> = some.iter().map(picture).collect();
+        let pictures: Vec<(RowSurfaces, bool)> = some.iter().map(picture).collect();
         let by_row = monitor.in_parallel("leaving out parts", 0..height, [first, all], |y| {
             let full = full(y);
-            let change = |(picture, is_enclosed): &(PixelRows, bool)| {
+            let change = |(picture, is_enclosed): &(RowSurfaces, bool)| {
                 let pixels = full.iter().zip(picture(y));
                 Change::combined(pixels.map(|(full, without)| {
                     let largest_error = error(full, &without, *is_enclosed);
@@ -270,7 +270,7 @@ pub fn least(
 }
 
 /// The rows of a picture as displayed levels. In intervals a pixel may show several surfaces, in floats it shows one.
-fn rows<R: Real + 'static>(picture: Reference<R>) -> PixelRows {
+fn rows<R: Real + 'static>(picture: Reference<R>) -> RowSurfaces {
     Box::new(move |y| {
         let mut row = Vec::new();
         let shown = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
@@ -284,10 +284,10 @@ fn rows<R: Real + 'static>(picture: Reference<R>) -> PixelRows {
 /// compared.
 fn error(full: &[FaceLevels], without: &[FaceLevels], is_enclosed: bool) -> [f64; 2] {
     let mut error = [f64::INFINITY, 0.0_f64];
-    let mut compare = |pixel: &[FaceLevels], other: &[FaceLevels]| {
+    let mut compare = |pixel: &[FaceLevels], others: &[FaceLevels]| {
         for shown in pixel {
             let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
-            for other in other {
+            for other in others {
                 let [least, most] = difference(&shown.1, &other.1);
                 error[0] = error[0].min(least);
                 farthest = farthest.max(most);

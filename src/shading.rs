@@ -20,7 +20,7 @@
 //! tolerance >=   sum over diffuse lights of the interpolation error of n.l                 bound
 //!              + sum over the highlights drawn of the interpolation error of s^rho         bound
 //!              + sum over the highlights left out of their largest s^rho                   bound, phong
-//!              + 25/9 of the rounding error of a sample                                    rounding, interpolation
+//!              + 25/9 times the rounding error of a sample                                 rounding, interpolation
 //!              + the rounding error of a row, and the polynomial's terms that are left out  interpolation
 //! ```
 //! [`phong`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
@@ -81,15 +81,15 @@ pub(crate) fn limit(tolerance: f64) -> f64 {
 /// How a square was drawn, from the cheapest to the most expensive way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SquareKind {
-    /// A colour linear in x and y, certified.
+    /// A colour linear in x and y, proven.
     Linear,
-    /// A biquadratic colour, certified.
+    /// A biquadratic colour, proven.
     Quadratic,
-    /// A biquadratic colour plus max(0, n.l) of one light, n.l being another biquadratic; certified.
+    /// A biquadratic colour plus max(0, n.l) of one light, n.l being another biquadratic; proven.
     Terminator,
-    /// The model at every pixel, in f32; in f64 at pixels where f32 does not suffice.
+    /// Every pixel by itself, in f32; in f64 where f32 does not suffice.
     PerPixel,
-    /// The model at every pixel, in f64.
+    /// Every pixel by itself, in f64.
     InF64,
 }
 
@@ -122,9 +122,9 @@ pub struct Counts {
     /// Pixels covered by a triangle.
     #[serde(skip)]
     pub covered_pixels: u64,
-    /// Evaluations of the illumination model, at vertices or pixels.
+    /// Evaluations of the illumination model at vertices and pixels, without the samples of polynomials.
     pub model_evaluations: u64,
-    /// Evaluations of a specular power.
+    /// Evaluations of a specular power there.
     pub specular_evaluations: u64,
     /// Squares drawn, by [`SquareKind`] in the order of [`SquareKind::ALL`]. A small face counts once in each strip of rows in
     /// which a pixel of it is seen, since the strips of a frame may belong to different threads.

@@ -61,7 +61,7 @@ pub(crate) struct Band<'a> {
 }
 
 impl<'a> Band<'a> {
-    /// Takes the rows above `row` of the picture off.
+    /// Splits off the rows above `row` of the picture.
     pub fn take(&mut self, row: usize) -> Band<'a> {
         let rows = row - self.rows.start;
         let pixels = rows * self.width;
@@ -79,8 +79,8 @@ impl<'a> Band<'a> {
         above
     }
 
-    /// Restores the background of some rows where the last frame drew, except in one run of each row that the next frame
-    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is its whole row. `overlaps` says
+    /// Restores the background of some rows where the last frame drew, except in one run of each row that this frame
+    /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is all that it covers of the row. `overlaps` says
     /// whether pieces overlap in these rows.
     #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>, overlaps: bool) {

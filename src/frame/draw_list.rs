@@ -45,7 +45,7 @@ pub(crate) struct Object {
     pub mode: ShadingMode,
     /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
     pub corners: [DVec3; 8],
-    /// Its index in [`DrawList::glosses`], if it is shaded after Phong.
+    /// Its index in [`DrawList::glosses`], if its mode is Phong.
     pub gloss: usize,
 }
 

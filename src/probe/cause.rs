@@ -100,7 +100,7 @@ impl ProbedSurface {
             }
             (ShadingMode::Gouraud, _) => format!(
                 "The model is not evaluated here: Gouraud interpolates the levels of three vertices. In the square around \
-                 this pixel a polynomial ({kind}) stands for that, certified within {within}."
+                 this pixel a polynomial ({kind}) stands for that, proven within {within}."
             ),
             (_, SquareKind::PerPixel) => {
                 "The model is evaluated here, as at every pixel of the square.".to_owned()
@@ -110,7 +110,7 @@ impl ProbedSurface {
             }
             _ => format!(
                 "The model is evaluated at nine places of the square around this pixel. A polynomial through them ({kind}) \
-                 is certified within {within}."
+                 is proven within {within}."
             ),
         }
     }

@@ -16,8 +16,8 @@
 //! power                      2^(rho log2(o.r))
 //! sum                        sum of levels * factor          (Gouraud: and a I1 + b I2 + c I3)
 //! ```
-//! The error of a pixel is the largest distance from any value of its enclosure. More bits do not always have a smaller
-//! error. The fewest bits are the least b for which b, b + 1, ..., 24 bits all keep the tolerance.
+//! A pixel's error is its largest distance from any value of its enclosure. More bits may err more. The fewest bits are the
+//! least b for which b, b + 1, ..., 24 bits all keep the tolerance.
 
 use std::array::from_fn;
 
@@ -143,7 +143,7 @@ struct Trial<'a> {
 
 impl Trial<'_> {
     /// Rounds the result of an operation, if it belongs to the stage that is tried.
-    fn one(self, stage: Stage, value: f64) -> f64 {
+    fn rounded(self, stage: Stage, value: f64) -> f64 {
         if stage == self.stage {
             self.format.round(value)
         } else {
@@ -151,24 +151,26 @@ impl Trial<'_> {
         }
     }
 
-    fn all(self, stage: Stage, vector: DVec3) -> DVec3 {
-        DVec3::from(vector.to_array().map(|value| self.one(stage, value)))
+    fn rounded_vector(self, stage: Stage, vector: DVec3) -> DVec3 {
+        DVec3::from(vector.to_array().map(|value| self.rounded(stage, value)))
     }
 
     fn dot(self, stage: Stage, one: DVec3, other: DVec3) -> f64 {
-        let [x, y, z] = self.all(stage, one * other).to_array();
-        self.one(stage, self.one(stage, x + y) + z)
+        let [x, y, z] = self.rounded_vector(stage, one * other).to_array();
+        self.rounded(stage, self.rounded(stage, x + y) + z)
     }
 
     fn unit(self, stage: Stage, vector: DVec3) -> DVec3 {
-        let length = self.one(stage, self.dot(stage, vector, vector).sqrt());
-        self.all(stage, vector / length)
+        let length = self.rounded(stage, self.dot(stage, vector, vector).sqrt());
+        self.rounded_vector(stage, vector / length)
     }
 
     /// The weighted sum of the values at three corners.
     fn blend(self, stage: Stage, values: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
-        let [a, b, c] = from_fn(|i| self.all(stage, self.all(stage, values[i]) * weights[i]));
-        self.all(stage, self.all(stage, a + b) + c)
+        let [a, b, c] = from_fn(|i| {
+            self.rounded_vector(stage, self.rounded_vector(stage, values[i]) * weights[i])
+        });
+        self.rounded_vector(stage, self.rounded_vector(stage, a + b) + c)
     }
 
     /// The model at a point of the cuboid that a pixel shows. A light at the point itself has no
@@ -176,15 +178,15 @@ impl Trial<'_> {
     fn lit(self, [point, normal]: [DVec3; 2]) -> DVec3 {
         use Stage::{Power, Products, Sum, Vectors};
         let towards = |place: DVec3| {
-            let way = self.all(Vectors, self.all(Vectors, place) - point);
+            let way = self.rounded_vector(Vectors, self.rounded_vector(Vectors, place) - point);
             self.unit(Vectors, way)
         };
         let power = |base: f64| {
             let shininess = self.scene.cuboid[self.sample.object].material.shininess;
-            let [log, rho] = [base.max(0.0).log2(), shininess].map(|it| self.one(Power, it));
+            let [log, rho] = [base.max(0.0).log2(), shininess].map(|it| self.rounded(Power, it));
             // 0^0 is 1.
             let exponent = if rho == 0.0 { 0.0 } else { log * rho };
-            self.one(Power, self.one(Power, exponent).exp2())
+            self.rounded(Power, self.rounded(Power, exponent).exp2())
         };
         let mut levels = DVec3::ZERO;
         for (light, LightSample { strength, .. }) in
@@ -196,18 +198,20 @@ impl Trial<'_> {
                 LightKind::Ambient => 1.0,
                 LightKind::Diffuse => cosine.max(0.0),
                 LightKind::Specular if cosine > 0.0 => {
-                    let along = self.all(Products, normal * (2.0 * cosine));
-                    let reflected = self.all(Products, along - to_light);
+                    let along = self.rounded_vector(Products, normal * (2.0 * cosine));
+                    let reflected = self.rounded_vector(Products, along - to_light);
                     let to_eye = match self.view.projection {
                         Projection::Perspective => towards(self.view.camera.position),
-                        Projection::Orthographic => self.all(Vectors, self.sample.to_eye),
+                        Projection::Orthographic => {
+                            self.rounded_vector(Vectors, self.sample.to_eye)
+                        }
                     };
                     power(self.dot(Products, to_eye, reflected))
                 }
                 LightKind::Specular => 0.0,
             };
-            let term = self.all(Sum, self.all(Sum, *strength) * factor);
-            levels = self.all(Sum, levels + term);
+            let term = self.rounded_vector(Sum, self.rounded_vector(Sum, *strength) * factor);
+            levels = self.rounded_vector(Sum, levels + term);
         }
         levels
     }
@@ -218,7 +222,10 @@ impl Trial<'_> {
         let weights = self.sample.weights;
         if self.scene.cuboid[self.sample.object].shading == ShadingMode::Gouraud {
             let lit = corners.map(|[point, normal]| {
-                self.lit([self.all(Positions, point), self.all(Normals, normal)])
+                self.lit([
+                    self.rounded_vector(Positions, point),
+                    self.rounded_vector(Normals, normal),
+                ])
             });
             return self.blend(Sum, lit, weights);
         }
@@ -246,8 +253,8 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     let enclosures = rows(Reference::<Interval>::new(&scene.world, view));
     let columns: Vec<usize> = (0..view.size[0]).collect();
     let formats = Format::tried();
-    let of_stage = |(stage, _)| formats.iter().map(move |format| (stage, *format));
-    let trials: Vec<(Stage, Format)> = STAGES.into_iter().flat_map(of_stage).collect();
+    let trials_of = |(stage, _)| formats.iter().map(move |format| (stage, *format));
+    let trials: Vec<(Stage, Format)> = STAGES.into_iter().flat_map(trials_of).collect();
     // The largest error of a row in each trial.
     let row = |y: usize| {
         let mut errors = vec![0.0_f64; trials.len()];
@@ -278,7 +285,7 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     let of_trial = |trial: usize| by_row.iter().map(|row| row[trial]).fold(0.0, f64::max);
     let errors: Vec<f64> = (0..trials.len()).map(of_trial).collect();
     let limit = limit(view.tolerance);
-    let of_stage = |((_, stage), errors): ((Stage, &'static str), &[f64])| {
+    let result_of = |((_, stage), errors): ((Stage, &'static str), &[f64])| {
         let (named, by_bits) = errors.split_at(FORMATS.len());
         let breaking = by_bits.iter().rposition(|error| *error > limit);
         let fewest = breaking.map_or(0, |index| index + 1);
@@ -294,5 +301,5 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
         }
     };
     let stages = STAGES.into_iter().zip(errors.chunks(formats.len()));
-    Ok(stages.map(of_stage).collect())
+    Ok(stages.map(result_of).collect())
 }

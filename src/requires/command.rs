@@ -133,7 +133,7 @@ fn write_least(
         "no light, cuboid or Phong shading can be left out".to_owned()
     } else {
         let (names, most) = (names.join(", "), (1e4 * change.most()).ceil() / 1e4);
-        format!("left out: {names}; errs at most {most} levels, proven")
+        format!("left out: {names}; errs by at most {most} levels, proven")
     };
     // A line break in a name would end the comment.
     let comments = format!("The least scene for {subject}: {found}.");

@@ -52,9 +52,8 @@
 //!
 //! `proofs/theorems` has Coq proofs of these theorems. `proofs/README.md` lists the steps that are done by hand.
 //!
-//! Four squares are bounded at a time, each independently of the others. NaN or infinity means that there is no bound. min
-//! and max may return the other operand for a NaN. That is safe here: that operand is a bound by itself, or a sum keeps the
-//! NaN.
+//! Four squares are bounded at a time, each independently of the others. NaN or infinity is no bound. min and max may
+//! drop a NaN. That is safe: the other operand is a bound by itself, or a sum keeps the NaN.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -114,12 +113,12 @@ pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> f64x4<S> {
     )[2]))
 }
 
-/// n.l at the middle; whether n.l > 0 all over the square; and whether n.l <= 0 all over it. Both hold for n.l in f32, too:
-/// its error is at most `rounding`, which is far more than that of f64.
+/// n.l at the middle; whether n.l > 0 all over the square; and whether n.l <= 0 all over it. `rounding` bounds
+/// the error of n.l in f32, so both hold there, too.
 ///
 /// n.l changes by at most the angle that n turns plus the angle that l turns. Each angle is at most asin(radius).
 #[inline(always)]
-pub fn side<S: Simd>(
+pub fn facing<S: Simd>(
     normal: &Field<S>,
     light: &Field<S>,
     rounding: f64x4<S>,
@@ -141,7 +140,8 @@ pub struct Reflection<S: Simd> {
     pub sine: f64x4<S>,
 }
 
-/// The bounds for a light; `cosine` is n.l at the middle. r turns twice as far as n, and as far as l.
+/// The bounds for a light; `cosine` is n.l at the middle. r turns by at most twice the turn
+/// of n plus that of l.
 #[inline(always)]
 pub fn reflection<S: Simd>(
     normal: &Field<S>,
@@ -163,11 +163,10 @@ pub fn reflection<S: Simd>(
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
     // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. So, theta being the
     // angle at the middle,
-    //   sin(theta) <= t - t^3 / 6 and s > 0:   theta <= t, so s may reach 1
-    //   sin(theta) >  t - t^3 / 6 and s > 0:   cos(theta - t) <= s - s t^2 / 2 + sin(theta) t, as sin(theta) (t - sin(t)) > t^4 / 24;
-    //                                          if sin(theta) <= sin(t), this is more than 1, and is limited to 1
-    //   s <= 0:                                the same, as s cos(t) <= s (1 - t^2 / 2)
-    //   always:                                cos(theta + t) >= s - |s| t^2 / 2 - sin(theta) t, at most -1 if theta + t > pi
+    //   the largest s   1 if s > 0 and sin(theta) <= t - t^3 / 6: then theta may be less than t
+    //                   else cos(theta - t) <= s - s t^2 / 2 + sin(theta) t, limited to 1:
+    //                     for s > 0 as sin(theta) (t - sin(t)) > t^4 / 24, for s <= 0 as s cos(t) <= s (1 - t^2 / 2)
+    //   the least s     cos(theta + t) >= s - |s| t^2 / 2 - sin(theta) t, at most -1 if theta + t > pi
     let turn2 = turn * turn;
     let one = f64x4::splat(simd, 1.0);
     let reached = sine.simd_le(turn * (1.0 - turn2 * (1.0 / 6.0))) & s.simd_gt(0.0);

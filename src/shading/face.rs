@@ -4,11 +4,11 @@
 //! front of the plane, and w = -m.d > 0. Times w, everything that is linear on the face is affine on the screen:
 //!
 //! ```text
-//!   w (L - P) = w (L - O) - H d        w (O - P), a multiple of -d        w u, w v, where P = C + m |m| + u a + v b
+//!   w (L - P) = w (L - O) - H d        w (O - P), a multiple of -d        w u, w v, where P = C + g m + u a + v b
 //! ```
 //! In perspective d moves from pixel to pixel and O stays, in orthographic projection O moves and d stays. Normals are
 //! linear in u and v over the whole face; colours that were lit at the corners are linear over each of its triangles.
-//! Both triangles have the same N, L and O.
+//! Both triangles have the same n, L - P and O - P.
 //!
 //! Everything is computed in f64 relative to the eye, so precision does not depend on the size of the cuboid. Nothing depends
 //! on where the face ends, so clipping changes no value.
@@ -76,8 +76,8 @@ pub fn nearness(index: usize, transform: &WorldTransform, half: DVec3, rays: &Ra
     }
 }
 
-/// A point that may lie further outside its face than this, as a share of the face, is clamped to the face. Such points exist
-/// because coverage is decided on vertices that snapping has moved, and matter only where a face is a sliver.
+/// A point that may lie outside its face by more than this share of it is clamped to it. Snapping moves the vertices that
+/// decide coverage, so slivers have such points.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
 /// An upper bound of how far snapping moves an edge, in pixels.
@@ -238,7 +238,7 @@ impl<'a> Face<'a> {
         let along = self.rays.direction.at(x, y) * self.height.at(x, y);
         let [u, v] = self.half_edges.map(|half| {
             let [foot, step] = [-self.middle, along].map(|v| v.dot(half) / half.length_squared());
-            // The w of the end that lies ahead.
+            // w at the far end.
             (foot, step, step.abs() / (1.0 - foot * step.signum()))
         });
         let end = f64::max(u.2, v.2);
@@ -258,11 +258,10 @@ impl<'a> Face<'a> {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
     }
 
-    /// Whether N.L < 0 between the normal at any corner and the vector from any corner to a light, whose position is given
-    /// from the eye.
+    /// Whether N.L < 0 for the normal N at each corner and the vector L from each corner to a light, whose position is given
+    /// from the eye. The corners are those of a face that is larger by the overshoot.
     ///
-    /// N and L are combinations, with weights that are nowhere negative, of their values at the corners of a face that is
-    /// larger by the overshoot of pixels, so N.L < 0 at every pixel.
+    /// At a pixel N and L are sums of their values there with no negative weight, so N.L < 0.
     pub fn is_behind(&self, light: DVec3, normals: &Affine) -> bool {
         const END: f64 = 1.0 + 2.0 * OVERSHOOT;
         const CORNERS: [[f64; 2]; 4] = [[-END, -END], [END, -END], [-END, END], [END, END]];

@@ -1,7 +1,7 @@
 //! Vectors that are affine in the pixel, on four squares at a time: how far they move, and how fast their directions turn.
 //!
-//! Where a vector is zero at the middle of a square, its lengths and rates are NaN or infinite. Comparisons with them are
-//! false, so they never serve as a bound.
+//! Where a vector is zero at the middle of a square, its lengths and rates are NaN or infinite. No comparison takes
+//! them for a bound.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};

@@ -13,16 +13,16 @@ use crate::components::Material;
 /// scene and bench-far, tolerance 0.5).
 const FAINT_SHARE: f64 = 0.25;
 
-/// If 0 < rho < 1, a pixel with s below this is evaluated in f64, because the slope of s^rho is unbounded at s = 0.
+/// If 0 < rho < 1, a pixel with |s| below this is evaluated in f64, because the slope of s^rho is unbounded at s = 0.
 const DOUBT: f64 = 1.0 / 256.0;
 
 /// The constants of the highlights of one material.
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
     pub material: Material,
-    /// Above 0 where the material's is, because for rho = 0 the power of an s <= 0 is 1, else 0.
+    /// Never rounded to 0: for rho = 0 the power of an s <= 0 is 1, else it is 0.
     pub shininess: f32,
-    /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), without their signs.
+    /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), absolute.
     pub(super) factors: [f64; 3],
     /// The largest s^(rho-2) sin and s^(rho-3) sin^3 at any angle; infinite where there is none.
     pub(super) peaks: [f64; 2],
@@ -82,7 +82,7 @@ impl Gloss {
     /// The error of s^rho, in roundings, caused by an error of |r - o| in roundings and by four roundings of 1 - s.
     ///
     /// If rho >= 1, a relative error e of 1 - s changes s^rho by at most e, because rho (1 - s) s^(rho - 1) <= 1. For a
-    /// shininess below 1, pixels with s < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the
+    /// shininess below 1, pixels with |s| < `DOUBT` are evaluated in f64. In f32 s errs by less than `DOUBT` / 2, so the
     /// slope is at most that at s = `DOUBT` / 2.
     #[inline(always)]
     pub fn propagated<S: Simd>(&self, chord: f64x4<S>) -> f64x4<S> {

@@ -1,8 +1,8 @@
 //! Gouraud shading of a face: vertex colours, interpolated perspective-correctly (Gouraud 1971; Heckbert and Moreton 1991).
 //!
-//! The colour is w C / w, both affine in the pixel; C comes from the corners of the pixel's own triangle alone. The
-//! quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel elsewhere;
-//! nodes and pixels are evaluated by the same lines.
+//! The colour is (w C) / w; w C and w are affine in the pixel, and C comes from the corners of the pixel's own triangle
+//! alone. The quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel
+//! elsewhere; nodes and pixels are evaluated by the same code.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
@@ -47,8 +47,8 @@ pub struct Gouraud<'a> {
 ///   all that over the smallest w     x 2     1/2
 ///   display                            4     two at the size of a level; the next larger float is rounded
 /// ```
-/// The triangles' w C differ by |[`Face::diagonal`]| times a constant, and it reaches its largest size on the square on
-/// either side of the diagonal, so where both are seen they differ by at most twice the largest there.
+/// Where both triangles are seen, their w C differ by |[`Face::diagonal`]| times a constant: where that is largest, by at
+/// most twice the largest colour. A pixel on the wrong side has six roundings of it.
 const COLOR_ERROR: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {

@@ -57,7 +57,7 @@ impl LaneLayout {
         x * lanes(&of.dx) + (y * lanes(&of.dy) + lanes(&of.centre))
     }
 
-    /// A number in the lanes of a set of squares, zero elsewhere; one lane at least is in the set.
+    /// A number in the lanes of a set of squares, zero elsewhere. Under `Pixels` the square is in the set.
     #[inline(always)]
     pub fn within<S: Simd>(self, simd: S, set: Squares, number: f32) -> f32x16<S> {
         let number = f32x16::splat(simd, number);

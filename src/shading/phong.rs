@@ -37,7 +37,7 @@ use crate::simd::{four, inlined, three};
 /// The quarters of a square are tried if at most this many lights have no bound on it. With more of them, a quarter hardly
 /// ever has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights,
 /// 480x360).
-const UNSURE: f64 = 1.0;
+const MOST_UNSURE: f64 = 1.0;
 
 /// A point light on a face, and on the four squares prepared last.
 #[derive(Clone, Copy, Debug, Default)]
@@ -53,7 +53,7 @@ pub struct FaceLight {
     reaches: Squares,
     /// Where its highlight is drawn.
     shines: Squares,
-    /// Where this is the only light whose n.l may change its sign. Its highlight is not drawn there.
+    /// Where it is the light that crosses n.l = 0. Its highlight is left out there.
     crosses: Squares,
     /// `by_pixel`, scaled to length one at the middle of each square.
     by_square: [Affine<[f32; 4]>; 3],
@@ -62,7 +62,7 @@ pub struct FaceLight {
 }
 
 impl FaceLight {
-    /// Overwrites it with a light on a face. Its factors are 0 if it lights no pixel of it.
+    /// Overwrites it with a light on a face. `most` is 0 if it lights no pixel of it.
     fn set(&mut self, face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) {
         let position = light.position - face.rays.lens.eye;
         let coefficients = surface.coefficients(light);
@@ -163,8 +163,8 @@ impl<'a> Phong<'a> {
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
     pub fn has_signs(&self, index: usize) -> bool {
-        let mut highlights = self.highlights(index);
-        highlights.all(|light| light.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
+        self.highlights(index)
+            .all(|light| light.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
     /// Classifies the lights on four squares. Returns what remains of the tolerance on each square after the errors of
@@ -197,7 +197,7 @@ impl<'a> Phong<'a> {
         for light in self.lights.iter_mut() {
             let to_light = Field::new(&light.by_pixel, extents);
             let cosine_rounding = rounding.cosine(&to_light);
-            let (cosine, lit, dark) = bound::side(&normal, &to_light, cosine_rounding * U);
+            let (cosine, lit, dark) = bound::facing(&normal, &to_light, cosine_rounding * U);
             let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
             let (mut shines, mut error, mut doubt) = (none, zero, zero);
             rounding.add(dark.select(zero, diffuse), cosine_rounding);
@@ -209,19 +209,21 @@ impl<'a> Phong<'a> {
                 rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
                 doubt = (lit | !shines).select(zero, cosine_rounding * U);
                 if interpolate {
-                    // All of a highlight that is not drawn is missing.
-                    error = bound::power(self.gloss.shininess, reflection.most);
+                    // A highlight that is left out errs by its largest value.
+                    let power = bound::power(self.gloss.shininess, reflection.most);
+                    error = power;
                     if shines.any_true() {
                         let (gloss, light) = (self.gloss, &to_light);
                         let drawn =
-                            bound::highlight_error(gloss, &normal, light, &eye, reflection, error);
-                        error = shines.select(drawn, error);
+                            bound::highlight_error(gloss, &normal, light, &eye, reflection, power);
+                        error = shines.select(drawn, power);
                     }
                 }
             }
             let mut crosses = none;
             if interpolate {
-                // One light of a square may cross n.l = 0 there, if its highlight is not drawn.
+                // One light of a square may cross n.l = 0 there, if its highlight is left out. So a polynomial has a
+                // highlight only where n.l > 0 all over.
                 let idle = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
                 crosses = !(lit | dark | idle | shines | has_terminator);
                 has_terminator |= crosses;
@@ -241,7 +243,7 @@ impl<'a> Phong<'a> {
         let rounding = rounding.levels();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
         let rest = bounded.select(rest - rounding * AMPLIFICATION, -one);
-        (rest, (steady & unsure.simd_le(UNSURE)).to_bitmask())
+        (rest, (steady & unsure.simd_le(MOST_UNSURE)).to_bitmask())
     }
 
     /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
@@ -254,7 +256,7 @@ impl<'a> Phong<'a> {
             three!(|axis| vector[axis] * inverse)
         });
         let normal = vector(&self.normal_by_square);
-        // Unit vectors are for highlights: without one n.l takes a single root, and exact frames 5 % less time.
+        // Only highlights need unit vectors. Without them n.l takes one root, and exact frames 5 % less time.
         let (n, o, n2) = if at.any(self.shines) {
             (unit(normal), unit(vector(&self.eye_by_square)), zero + 1.0)
         } else {

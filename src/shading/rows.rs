@@ -41,8 +41,9 @@ pub struct Ramp<S: Simd> {
     /// The levels at the start of each row, and the changes from there to each column of the part.
     starts: [[u32; MAX_SIDE]; 2],
     columns: [u32x16<S>; 2],
-    /// The change from column to column, in levels, and the square's first column from the middle, in pixels.
+    /// The change from column to column, in levels.
     right: [f32; 3],
+    /// The square's first column from the middle, in pixels.
     left: f32,
 }
 
@@ -54,7 +55,8 @@ impl<S: Simd> Ramp<S> {
         let mut starts = [[0; MAX_SIDE]; 2];
         for first in (0..square.side).step_by(16) {
             let y = counted(simd, first) + top as f32;
-            // A half is added here once: then the byte is the whole part.
+            // A half is added here once: then the byte is the whole part. Its rounding is within `FIXED_ERROR`: a ramp makes
+            // two of its three.
             let pairs = paired(three!(|channel| {
                 let [[middle, ..], [down, ..], _] = color[channel];
                 y * down as f32 + (middle + 0.5) as f32
@@ -107,7 +109,7 @@ impl<S: Simd> Rows<S> for Ramp<S> {
     }
 }
 
-/// A biquadratic colour, and n.l of a light that is cut off at zero.
+/// A biquadratic colour, and max(0, n.l) of one light.
 pub struct Curve<S: Simd> {
     /// By power of y and of x.
     color: [[[f32; 3]; 3]; 4],

@@ -71,14 +71,14 @@ impl Div for Rounded {
     }
 }
 
-/// Three at a time.
+/// A vector of them.
 pub type Vector = [Rounded; 3];
 
 pub fn dot(a: &Vector, b: &Vector) -> Rounded {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// At length one.
+/// Scaled to length one.
 pub fn unit(vector: &Vector) -> Vector {
     let inverse = Rounded::exact(1.0) / dot(vector, vector).sqrt();
     vector.map(|component| component * inverse)

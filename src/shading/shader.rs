@@ -26,7 +26,7 @@ pub enum Shader<'a> {
 
 impl Shader<'_> {
     /// Prepares four squares for evaluation. Returns their interpolant, and the squares whose quarters are worth trying.
-    /// There is no interpolant if `interpolate` is false, the method is exact, or the bounds of Phong exceed the tolerance
+    /// There is no interpolant if `interpolate` is false, the tolerance is 0, or the bounds of Phong exceed the tolerance
     /// on all four.
     #[inline(always)]
     pub fn prepare<S: Simd>(
@@ -144,7 +144,7 @@ impl Shader<'_> {
 /// The memory of a thread, reused for each face and strip, and the counts of all its work.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    /// The lights that reach the face; and the unit vectors to all lights at its corners, for unit vectors.
+    /// The lights that reach the face; for [`UnitVectors`] the directions from its corners to all lights.
     pub lights: Vec<FaceLight>,
     pub to_lights: Vec<[DVec3; 4]>,
     pub pixels: Pixels,

@@ -25,8 +25,8 @@ const ROUND: f32 = 12_582_912.0;
 /// s^rho for s = 1 - one_minus_cos, one_minus_cos in 0..=2, in f32; 0^0 = 1.
 ///
 /// Twice the inverse hyperbolic tangent of f / (2 + f) is ln(1 + f) (Abramowitz and Stegun 4.6.22); four terms leave a
-/// relative error of 9.8e-8 on [sqrt(1/2), sqrt(2)], and where s is at least sqrt(1/2) f is -one_minus_cos itself, so the
-/// logarithm is relatively exact as s goes to 1. The exponent of the power is split into the nearest integer
+/// relative error of 9.8e-8 on [sqrt(1/2), sqrt(2)]. Where s is at least sqrt(1/2), f is -one_minus_cos itself, so the
+/// logarithm stays relatively exact as s goes to 1. The exponent of the power is split into the nearest integer
 /// and a rest within +-1/2, for which the exponential series is evaluated to the sixth power (relative error 1.6e-7).
 #[inline(always)]
 pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
@@ -64,8 +64,8 @@ pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
     s.simd_gt(zero).select(mantissa * scale, zero)
 }
 
-/// The largest error of [`power`], in roundings, with rho rounded to f32: `proofs/power.v`. It is the largest value of
-/// (10.2 z + 4.3) e^-z, 5.8, where z = |ln s^rho| errs by 10.2 u z and the power of two by 4.3 u.
+/// The largest error of [`power`], in roundings, with rho rounded to f32: `proofs/power.v`. It covers 5.8, the largest
+/// (10.2 z + 4.3) e^-z, where z = |ln s^rho| errs by 10.2 u z and the power of two by 4.3 u.
 pub const POWER_ERROR: f64 = 6.0;
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ pub const MAX_SIDE: usize = 32;
 /// The side of squares that are not cut further, in pixels.
 pub const MIN_SIDE: usize = 16;
 
-/// The pixels from..to that a face covers of each of its rows.
+/// The pixels from..to that a face covers in each of its rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Spans<'a> {
     /// The picture's row of the first span.
@@ -92,7 +92,7 @@ pub struct Square {
 }
 
 impl Square {
-    /// All that is covered, as one square, if it is no more than the smallest.
+    /// All that is covered, as one square, if it fits into the smallest.
     pub fn around(spans: &Spans) -> Option<Self> {
         if spans.from.len() > MIN_SIDE {
             return None;
@@ -206,7 +206,7 @@ impl Square {
     }
 
     /// From the middle to the outermost covered pixel centres, in pixels right and down; at least half a pixel,
-    /// because rows are polynomials of the distance over this.
+    /// because positions are divided by it.
     #[inline(always)]
     pub fn half(&self) -> [f64; 2] {
         let ends = [self.columns, self.rows];
@@ -214,7 +214,7 @@ impl Square {
     }
 }
 
-/// A number of pixels as a float: no more than 2^17, for which there is one instruction.
+/// A number of pixels, at most 2^17, as a float: from i32 this is one instruction.
 #[inline(always)]
 fn float(pixel: usize) -> f64 {
     f64::from(pixel as i32)

@@ -15,7 +15,7 @@ use crate::components::{
 use crate::frame::Frame;
 use crate::shading::Surface;
 
-/// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid shaded after Gouraud.
+/// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     gather(
         world.query_mut::<(&Transform, &Light)>().into_iter(),

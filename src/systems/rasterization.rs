@@ -99,7 +99,7 @@ fn compare<S: Simd>(
                 ];
                 let start = (row - rows.start) * band.width;
                 let depths = &mut scratch.depths[start + span.start..start + span.end];
-                see(simd, piece, place, depths, ids);
+                write_nearest(simd, piece, place, depths, ids);
                 band.drawn[row - band.rows.start].drew(&span);
             } else {
                 ids.fill(piece.id);
@@ -130,7 +130,13 @@ fn set_bits(row: &mut [u64], span: Range<usize>) -> bool {
 /// Writes a span of a piece into the depth buffer of a strip where it is nearest. Its first pixel is at `left`, `y` from the
 /// middle of the picture. Where no id is set, the depth is that of an earlier strip, and counts as the farthest.
 #[inline(always)]
-fn see<S: Simd>(simd: S, piece: &Piece, [left, y]: [f64; 2], depths: &mut [f64], ids: &mut [u32]) {
+fn write_nearest<S: Simd>(
+    simd: S,
+    piece: &Piece,
+    [left, y]: [f64; 2],
+    depths: &mut [f64],
+    ids: &mut [u32],
+) {
     let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);
     let start = centre + dy * y;
     let splat = inlined!(|number: f64| f64x8::splat(simd, number));

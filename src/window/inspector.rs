@@ -59,8 +59,8 @@ impl App {
     fn required_tab(&self, ui: &mut Ui) {
         let tolerance = self.viewer().tolerance;
         ui.label(format!(
-            "The largest error of the picture if one part of the model is left out, in levels of 255, proven; and \
-             whether tolerance {tolerance} needs that part. Tooltips describe the picture without it."
+            "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
+             {tolerance} needs the part. Tooltips describe the picture without it."
         ));
         let facts = &self.facts;
         self.wait(ui, &facts.required);

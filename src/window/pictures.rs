@@ -9,7 +9,7 @@ use std::time::Instant;
 use hecs::World;
 
 use crate::components::{ShadingMode, Side, View, ViewMode, Viewer};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE, Workers};
+use crate::frame::{Frame, Keep, NO_TRIANGLE, SQUARE_EDGE, Workers};
 use crate::memory::OutOfMemory;
 use crate::shading::SquareKind;
 use crate::systems;
@@ -135,8 +135,12 @@ fn grey(pixel: u32) -> u32 {
 fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != NO_TRIANGLE {
-            let weight = [TINT_WEIGHT, OUTLINE_WEIGHT][usize::from(kind & OUTLINE != 0)];
-            *pixel = mix(grey(*pixel), TINTS[usize::from(kind & !OUTLINE)], weight);
+            let weight = [TINT_WEIGHT, OUTLINE_WEIGHT][usize::from(kind & SQUARE_EDGE != 0)];
+            *pixel = mix(
+                grey(*pixel),
+                TINTS[usize::from(kind & !SQUARE_EDGE)],
+                weight,
+            );
         }
     }
 }

@@ -8,7 +8,7 @@ mod overshoot;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
-use shadetrade::frame::{Counts, Keep, OUTLINE};
+use shadetrade::frame::{Counts, Keep, SQUARE_EDGE};
 use shadetrade::shading::{EXACT, SquareKind};
 use shadetrade::trade::metrics::pixel_error;
 
@@ -33,7 +33,7 @@ fn shares(world: &mut World, view: &View) -> Vec<(SquareKind, f64)> {
     let pixels = frame.triangles().iter().zip(&truth.triangles).enumerate();
     let pixels = pixels.filter(|(_, (id, other))| id == other && **id < 12);
     let shares = pixels.map(|(pixel, _)| {
-        let kind = SquareKind::ALL[usize::from(frame.kinds()[pixel] & !OUTLINE)];
+        let kind = SquareKind::ALL[usize::from(frame.kinds()[pixel] & !SQUARE_EDGE)];
         let [_, bytes @ ..] = shown.pixels()[pixel].to_be_bytes();
         let exact = truth.levels[pixel];
         let rounded = pixel_error(bytes.map(f64::from), exact);
@@ -258,7 +258,7 @@ fn the_outline_of_a_square_is_its_upper_and_left_edge() {
     let frame = draw(&mut world, &view.with_tolerance(4.0), Keep::Levels);
     for (pixel, kind) in frame.kinds().iter().enumerate() {
         let is_edge = pixel < 32 || pixel % 32 == 0;
-        assert_eq!(kind & OUTLINE != 0, is_edge, "pixel {pixel}");
+        assert_eq!(kind & SQUARE_EDGE != 0, is_edge, "pixel {pixel}");
     }
 }
 

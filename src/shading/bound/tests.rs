@@ -87,7 +87,7 @@ fn one(number: Number) -> f64 {
     number.as_array()[0]
 }
 
-/// How many squares had a bound, and how far the bounds were used up at most and in the median.
+/// Asserts that enough squares have a bound, that none is exceeded, and that they are not loose.
 fn judge(mut ratios: Vec<f64>, least: usize) {
     assert!(
         ratios.len() >= least,
@@ -163,7 +163,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
             o.dot(r)
         };
         let rounding = 1e-6;
-        let (cosine, lit, dark) = side(&n, &l, Number::splat(token(), rounding));
+        let (cosine, lit, dark) = facing(&n, &l, Number::splat(token(), rounding));
         let range = reflection(&n, &l, &o, cosine);
         let [most, least, sine] = [range.most, range.least, range.sine].map(one);
         for row in 0..=6 {

@@ -8,13 +8,13 @@ use crate::shading::rows::Rows;
 use crate::shading::running::Rounded;
 use crate::simd::{Baseline, token};
 
-/// Holds every pixel of a square to the colour that it is drawn with.
+/// Compares every pixel of a square with its polynomial.
 struct Judge {
     color: [[[f64; 3]; 3]; 4],
     terminator: [f64; 3],
     side: usize,
     worst: f64,
-    /// Bytes that differ from the display step of the levels, and those that do not.
+    /// Pixels that differ from the display step of the levels, and others.
     shown: [u32; 2],
 }
 
@@ -131,7 +131,7 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
         );
         assert!(
             judge.shown[0] <= 16,
-            "{:?} bytes differ: {form:?}",
+            "{:?} pixels differ: {form:?}",
             judge.shown
         );
     }

@@ -7,7 +7,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use crate::frame::{Band, NO_TRIANGLE, OUTLINE, face_id};
+use crate::frame::{Band, NO_TRIANGLE, SQUARE_EDGE, face_id};
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
@@ -57,7 +57,7 @@ impl Canvas<'_, '_> {
         seen.sum()
     }
 
-    /// Whether all pixels of a square are drawn, as bytes; `seen` is the number of those that are drawn.
+    /// Whether bytes are drawn, and of the whole square; `seen` is the number of pixels drawn.
     pub fn is_whole(&self, square: &Square, seen: usize) -> bool {
         !self.band.pixels.is_empty() && seen == square.side * square.side
     }
@@ -119,7 +119,7 @@ impl Canvas<'_, '_> {
                     let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
                     self.band.triangles[pixel] = 2 * self.face_id + second;
                     let edge = row == square.corner[1] || column == square.corner[0];
-                    self.band.kinds[pixel] = kind as u8 | if edge { OUTLINE } else { 0 };
+                    self.band.kinds[pixel] = kind as u8 | if edge { SQUARE_EDGE } else { 0 };
                 }
             }
         }

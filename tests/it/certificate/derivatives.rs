@@ -13,7 +13,7 @@ use glam::DVec3;
 use shadetrade::components::Illumination;
 use shadetrade::shading::Surface;
 use shadetrade::shading::affine::Affine;
-use shadetrade::shading::bound::{self, cosine_error, highlight_error, reflection, side};
+use shadetrade::shading::bound::{self, cosine_error, facing, highlight_error, reflection};
 use shadetrade::shading::field::{Extents, Field, MAX_RADIUS};
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::simd::{Baseline, baseline};
@@ -179,7 +179,7 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             }
         }
         let none = normal.radius * 0.0;
-        let (cosine, ..) = side(&normal, &light, none);
+        let (cosine, ..) = facing(&normal, &light, none);
         let range = reflection(&normal, &light, &eye, cosine);
         if range.least.as_array()[0] <= 0.0 {
             continue;

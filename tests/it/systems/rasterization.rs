@@ -6,7 +6,7 @@ use shadetrade::components::{
     FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, VertexColors, View,
     ordered,
 };
-use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, OUTLINE};
+use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, SQUARE_EDGE};
 use shadetrade::shading::SquareKind;
 use shadetrade::systems::rasterization;
 
@@ -141,7 +141,7 @@ fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_lev
                 );
                 let drawn = frame.triangles().iter().zip(frame.kinds());
                 for (_, kind) in drawn.filter(|(id, _)| **id != NO_TRIANGLE) {
-                    let kind = SquareKind::ALL[usize::from(kind & !OUTLINE)];
+                    let kind = SquareKind::ALL[usize::from(kind & !SQUARE_EDGE)];
                     assert_eq!(kind == SquareKind::InF64, is_double, "{mode:?}, {share}");
                 }
             }
