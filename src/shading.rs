@@ -105,14 +105,13 @@ impl SquareKind {
 
     /// Its name in panels and reports.
     pub const fn name(self) -> &'static str {
-        let names = [
-            "linear",
-            "quadratic",
-            "terminator",
-            "per pixel",
-            "per pixel in f64",
-        ];
-        names[self as usize]
+        match self {
+            SquareKind::Linear => "linear",
+            SquareKind::Quadratic => "quadratic",
+            SquareKind::Terminator => "terminator",
+            SquareKind::PerPixel => "per pixel",
+            SquareKind::InF64 => "per pixel in f64",
+        }
     }
 }
 

@@ -265,11 +265,10 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
             let vertices = TRIANGLES[triangle].map(|vertex| corners[object][usize::from(vertex)]);
             let face = Some(object * FACES.len() + triangle / 2);
             for (largest, &(stage, format)) in errors.iter_mut().zip(&trials) {
-                let scene = &record;
                 let trial = Trial {
                     stage,
                     format,
-                    scene,
+                    scene: &record,
                     view,
                     sample,
                 };
