@@ -135,10 +135,8 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
         let triangles = frame.triangles();
         for (pixel, (&own, &other)) in triangles.iter().zip(&truth.triangles).enumerate() {
-            assert!(
-                own == other || own / 2 != other / 2,
-                "at {pixel} of turn {turn}"
-            );
+            let is_same = own == other || own / 2 != other / 2;
+            assert!(is_same, "at {pixel} of turn {turn}");
             // Every 11th pixel that has the face's other triangle to its right.
             let next = triangles
                 .get(pixel + 1)

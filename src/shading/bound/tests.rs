@@ -223,6 +223,27 @@ fn the_bound_of_a_quotient_is_the_one_on_paper() {
 }
 
 #[test]
+fn a_numerator_may_change_as_w_along_x_and_against_it_along_y() {
+    // (1 + (x - y) / 4) / (1 + (x + y) / 4): b - a e = 0, c - a g = -1/2, b g - c e = 1/8, and w is at least 1/2.
+    let lanes = |numbers: [f64; 3]| {
+        let [centre, dx, dy] = numbers.map(|it| Number::splat(token(), it));
+        Affine::new(centre, dx, dy)
+    };
+    let found = quotient_error(lanes([1.0, 0.25, -0.25]), lanes([1.0, 0.25, 0.25]));
+    let expected = [0.75, 3.75].map(|it| Number::splat(token(), it));
+    assert_eq!(one(found), one(interpolation_error(expected)));
+}
+
+#[test]
+fn a_vector_that_turns_without_growing_has_the_derivatives_of_an_arc_tangent() {
+    // The angle atan(t) has the derivatives 1, 0 and -2 at 0. The third of the vector is 3 long, as the circle adds 1; the second is
+    // 2 / sqrt(3) where the vector grows, too.
+    let [first, second, third] = direction([Number::splat(token(), 1.0); 2]).map(one);
+    assert_eq!([first, third], [1.0, 3.0]);
+    assert!((second - 2.0 / 3.0_f64.sqrt()).abs() < 1e-15, "{second}");
+}
+
+#[test]
 fn the_power_is_never_below_the_true_one() {
     for shininess in [0.0, 0.5, 1.0, 2.0, 76.8, 1e3, 1e6] {
         for step in 0..=1000 {

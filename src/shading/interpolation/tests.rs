@@ -249,3 +249,21 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
         }
     }
 }
+
+#[test]
+fn a_terminator_of_any_channel_is_drawn_unless_its_levels_are_rounded_too_coarsely() {
+    for channel in 0..3 {
+        for cosine in [-1.0, 1.0] {
+            let mut color = [[[0.0; 3]; 3]; 4];
+            color[3][0][0] = cosine;
+            let kind = |levels: f64| {
+                let mut terminator = [0.0; 3];
+                terminator[channel] = levels;
+                let (kind, _) = judge(&color, Some(terminator), 16, 0.5);
+                kind.map(|(kind, _)| kind)
+            };
+            assert_eq!(kind(100.0), Some(SquareKind::Terminator));
+            assert_eq!(kind(1e9), None);
+        }
+    }
+}

@@ -49,9 +49,11 @@ proptest! {
         aside in [-1.0..=1.0, -1.0..=1.0_f64],
     ) {
         let (sine, cosine) = tilt.sin_cos();
+        // Upright, or upside down.
+        let [right, up] = [DVec3::X, DVec3::new(0.0, cosine, sine)].map(|axis| axis * along.signum());
         let edge = [[along, 1.0], [along, -1.0], [1.0, along], [-1.0, along]][side];
         let lens = |pitch: f64| Lens {
-            axes: [DVec3::X, DVec3::new(0.0, cosine, sine), DVec3::new(0.0, sine, -cosine)],
+            axes: [right, up, DVec3::new(0.0, sine, -cosine)],
             projection: if orthographic { Projection::Orthographic } else { Projection::Perspective },
             near: 1e-3,
             pitch,
