@@ -235,12 +235,11 @@ fn a_numerator_may_change_as_w_along_x_and_against_it_along_y() {
 }
 
 #[test]
-fn a_vector_that_turns_without_growing_has_the_derivatives_of_an_arc_tangent() {
-    // The angle atan(t) has the derivatives 1, 0 and -2 at 0. The third of the vector is 3 long, as the circle adds 1; the second is
-    // 2 / sqrt(3) where the vector grows, too.
-    let [first, second, third] = direction([Number::splat(token(), 1.0); 2]).map(one);
-    assert_eq!([first, third], [1.0, 3.0]);
-    assert!((second - 2.0 / 3.0_f64.sqrt()).abs() < 1e-15, "{second}");
+fn the_derivatives_of_a_product_are_those_of_leibniz() {
+    // 3 + 3 (2 10 + 1 20) + 30 is the third.
+    let [a, b] =
+        [1.0, 10.0].map(|size| [1.0, 2.0, 3.0].map(|it| Number::splat(token(), size * it)));
+    assert_eq!(product(a, b).map(one), [11.0, 42.0, 153.0]);
 }
 
 #[test]
