@@ -69,3 +69,25 @@ impl LaneLayout {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::token;
+
+    #[test]
+    fn each_square_has_its_own_lanes() {
+        assert!(!LaneLayout::Nodes.any(0));
+        for square in 0..4 {
+            let set = 1 << square;
+            assert!(LaneLayout::Nodes.any(set));
+            let within = LaneLayout::Nodes.within(token(), set, 7.0);
+            for lane in 0..16 {
+                assert_eq!(within[lane] == 7.0, lane % 4 == square);
+            }
+            for other in 0..4 {
+                assert_eq!(LaneLayout::Pixels(other).any(set), other == square);
+            }
+        }
+    }
+}
