@@ -280,7 +280,12 @@ fn by_name(mut record: Value) -> Value {
     }
     if let Value::Object(view) = record["view"].take() {
         for (key, value) in view {
-            let key = if key == "show" { "view" } else { &key };
+            let key = match &*key {
+                "show" => "view",
+                // The list of cameras has the name of its kind.
+                "camera" => "active camera",
+                key => key,
+            };
             record[key] = json!(value.to_string());
         }
     }

@@ -125,6 +125,7 @@ fn an_undone_change_is_named() {
     ];
     for (change, words) in changes {
         let mut window = Window::open();
+        window.press(C);
         let mut record = window.record();
         change(&mut record);
         window.app.restore(&record);
