@@ -10,9 +10,10 @@
 //! in f32, whose levels are known.) The largest error of the picture is at least the largest lower end and at most the
 //! largest upper end.
 //!
-//! A part is not required if the picture without it is proven to keep the tolerance. Where intervals cannot tell a face or the
-//! specular gate, a pixel may show one of several colours. Both pictures are taken to make the same choice: a colour of one is compared with the nearest
-//! colour of the same face in the other. If the other cannot show that face, the colour is compared with all of its colours.
+//! A part is not required if the picture without it is proven to keep the tolerance. Where intervals cannot tell a face or
+//! the specular gate, a pixel may show one of several colours. Both pictures are taken to make the same choice: a colour of
+//! one is compared with the nearest colour of the same face in the other. If the other cannot show that face, the colour is
+//! compared with all of its colours.
 //!
 //! [`bits`] rounds one stage of the model at a time, and compares in the same way.
 

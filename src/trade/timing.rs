@@ -140,7 +140,6 @@ pub fn of_batches(
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
-    use std::thread::sleep;
 
     use anyhow::bail;
 
@@ -194,7 +193,10 @@ mod tests {
         let begin = Instant::now();
         let time = Duration::from_millis(160);
         let frame = |_| {
-            sleep(Duration::from_micros(100));
+            let start = Instant::now();
+            while start.elapsed() < Duration::from_micros(100) {
+                std::hint::spin_loop();
+            }
             Ok(())
         };
         batch(0, 1, time, frame).expect("nothing fails");
