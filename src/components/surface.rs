@@ -64,27 +64,27 @@ pub struct Normals(pub [DVec3; 8]);
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VertexColors(pub [DVec3; 8]);
 
-/// The corners of a cuboid as the camera sees them, and the polygons of its triangles on the screen.
+/// The corners of a cuboid as the camera sees them, and the polygons of its faces on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Projected {
     /// The corners relative to the eye, along right, up and forward, in world units.
     pub seen: [DVec3; 8],
-    /// The visible part of each of [`TRIANGLES`](super::TRIANGLES), empty where it faces away or is clipped.
-    pub polygons: [Polygon; 12],
+    /// The visible part of each of [`FACES`](super::FACES), empty where it faces away or is clipped.
+    pub polygons: [Polygon; 6],
 }
 
-/// A convex polygon on the screen, its vertices snapped to 1/256 pixel.
+/// A polygon on the screen: a convex one, its vertices snapped to 1/256 pixel. Snapping may bend a sliver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Polygon {
     /// x right and y down from the picture's top left corner, in 1/256 pixel, within +-2^30, counter-clockwise as seen.
     pub vertices: [[i32; 2]; Polygon::MAX_VERTICES],
-    /// The number of vertices in use: 0, or 3..=8.
+    /// The number of vertices in use: 0, or 3..=9.
     pub len: u8,
 }
 
 impl Polygon {
-    /// A triangle, cut by the near plane and by the four sides of the guard band.
-    pub const MAX_VERTICES: usize = 8;
+    /// A face, cut by the near plane and by the four sides of the guard band.
+    pub const MAX_VERTICES: usize = 9;
 
     /// The vertices in use.
     pub fn vertices(&self) -> &[[i32; 2]] {

@@ -49,7 +49,7 @@ pub(crate) struct Object {
     pub gloss: usize,
 }
 
-/// A face, or a single triangle of it if snapping has separated its two triangles on the screen.
+/// A face, and the pixels that it covers.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     /// The number of its first triangle: cuboid * 12 + triangle.
@@ -89,8 +89,7 @@ impl DrawList {
     /// Sorts the pieces into the order of drawing and into the strips of a picture with `height` rows.
     pub fn sort(&mut self, height: usize) {
         // If depths tie, the first piece is visible. So the file decides, not the order in which hecs iterates.
-        self.pieces
-            .sort_unstable_by_key(|piece| (piece.id, piece.spans.start));
+        self.pieces.sort_unstable_by_key(|piece| piece.id);
         self.strips.resize_with(height.div_ceil(MAX_SIDE), Vec::new);
         for (index, piece) in self.pieces.iter().enumerate() {
             let last = piece.row + piece.spans.len() - 1;

@@ -5,9 +5,16 @@
 //!   row 1   . # # . .      left edges give the first pixel, right edges the first one beyond
 //!   row 2   . # # # .
 //! ```
-//! The arithmetic is in integers and exact: with coordinates below 2^30 in 1/256 pixel no product exceeds 2^62. Two triangles
-//! compute a shared edge from its upper end and get the same boundary, so each pixel along it is drawn once. A small triangle
-//! is tested at each pixel of a square around it instead, sixteen at a time (Pineda 1988), which needs no division.
+//! The arithmetic is in integers and exact: with coordinates below 2^30 in 1/256 pixel no product exceeds 2^62. Two faces
+//! compute a shared edge from its upper end and get the same boundary, so each pixel along it is drawn once.
+//!
+//! Snapping moves a vertex by up to half a unit and may bend a face that is seen edge-on. A row still meets one left and one
+//! right edge of it: snapping keeps the order of coordinates, so a vertex is above the row's centres exactly if it was above
+//! a certain height before, and any height meets two edges of a convex outline. A face whose right edge is left of its left
+//! edge covers nothing in that row.
+//!
+//! A small convex face is tested at each pixel of a square around it instead, sixteen at a time (Pineda 1988), which needs no
+//! division.
 
 use std::ops::Range;
 
@@ -22,40 +29,31 @@ fn first_centre(coordinate: i32) -> i64 {
     (i64::from(coordinate) + 127).div_euclid(256)
 }
 
-/// The rows of a picture whose centres lie between the highest and the lowest vertex of some polygons.
-pub fn rows(polygons: &[Polygon], height: usize) -> Range<usize> {
-    let vertices = polygons.iter().flat_map(Polygon::vertices);
-    let rows = vertices.map(|vertex| vertex[1]);
-    let [first, end] = [rows.clone().min(), rows.max()]
-        .map(|y| first_centre(y.unwrap_or_default()).clamp(0, height as i64) as usize);
-    first..end
-}
-
-/// Appends the range from..to of the pixels that a convex polygon covers on each of these rows. It is empty if `to` <= `from`.
+/// Appends the range from..to of the pixels that a polygon covers on each row of a picture whose centres lie between its highest
+/// and its lowest vertex. It is empty if `to` <= `from`. Returns the first of these rows.
 pub fn scan(
     polygon: &Polygon,
-    rows: &Range<usize>,
-    width: usize,
+    [width, height]: [usize; 2],
     from: &mut Vec<i32>,
     to: &mut Vec<i32>,
-) {
-    let start = from.len();
-    from.resize(start + rows.len(), 0);
-    to.resize(start + rows.len(), 0);
-    let own = self::rows(std::slice::from_ref(polygon), rows.end);
-    for row in own.start.max(rows.start)..own.end {
-        to[start + row - rows.start] = width as i32;
-    }
+) -> usize {
     let vertices = polygon.vertices();
+    let heights = vertices.iter().map(|vertex| vertex[1]);
+    let [first, end] = [heights.clone().min(), heights.max()]
+        .map(|y| first_centre(y.unwrap_or_default()).clamp(0, height as i64) as usize);
+    let (rows, start) = (first..end, from.len());
+    from.resize(start + rows.len(), 0);
+    to.resize(start + rows.len(), width as i32);
     for (index, &vertex) in vertices.iter().enumerate() {
         let next = vertices[(index + 1) % vertices.len()];
         // Edges on the left go down. If snapping reversed the polygon, left and right are exchanged and its spans are empty.
         if vertex[1] < next[1] {
-            narrow([vertex, next], rows, width, &mut from[start..], i32::max);
+            narrow([vertex, next], &rows, width, &mut from[start..], i32::max);
         } else {
-            narrow([next, vertex], rows, width, &mut to[start..], i32::min);
+            narrow([next, vertex], &rows, width, &mut to[start..], i32::min);
         }
     }
+    first
 }
 
 /// Narrows the spans of some rows at one end to an edge, given from its upper end.
@@ -93,20 +91,33 @@ fn narrow(
     }
 }
 
-/// The side of the square of pixels round a small triangle.
+/// The side of the square of pixels round a small face.
 pub const SMALL: usize = 16;
 
-/// The pixels that a triangle covers in [`SMALL`] columns and `rows` rows that start at pixel `first`: for each row a bit per
-/// column. The triangle must lie in that square. [`scan`] finds the same pixels.
+/// Whether a quadrilateral turns left at each corner, or goes straight on. It has to be within the square of [`covered`].
+#[inline(always)]
+pub fn is_convex(corners: &[[i32; 2]; 4]) -> bool {
+    let way = [0, 1, 2, 3].map(|corner| {
+        let [from, to] = [corners[corner], corners[(corner + 1) % 4]];
+        [to[0] - from[0], to[1] - from[1]]
+    });
+    // Down is positive.
+    let turn = |[x, y]: [i32; 2], [next_x, next_y]: [i32; 2]| next_x * y - x * next_y;
+    (0..4).all(|corner| turn(way[corner], way[(corner + 1) % 4]) >= 0)
+}
+
+/// The pixels that a convex quadrilateral covers in [`SMALL`] columns and `rows` rows that start at pixel `first`: for each row
+/// a bit per column. It must lie in that square. [`scan`] finds the same pixels.
 #[inline(always)]
 pub fn covered<S: Simd>(
     simd: S,
-    corners: [[i32; 2]; 3],
+    corners: &[[i32; 2]; 4],
     first: [i32; 2],
     rows: usize,
 ) -> [u32; SMALL] {
+    debug_assert!(is_convex(corners));
     let lanes = i32x16::from_fn(simd, |lane| lane as i32);
-    // Twice the signed area of the triangle of a pixel's centre and an edge. It is not negative inside. On a right or bottom
+    // Twice the signed area between a pixel's centre and an edge. It is not negative inside. On a right or bottom
     // edge 1 is subtracted, so that the edge itself is outside. Coordinates are from the centre of the first pixel, so no
     // number exceeds 2^26.
     let edge = inlined!(|from: usize, to: usize| {
@@ -117,11 +128,11 @@ pub fn covered<S: Simd>(
         let start = y * run - x * rise - i32::from(open);
         (lanes * (256 * rise) + start, -256 * run)
     });
-    let [mut a, mut b, mut c] = [edge(0, 1), edge(1, 2), edge(2, 0)];
+    let [mut a, mut b, mut c, mut d] = [edge(0, 1), edge(1, 2), edge(2, 3), edge(3, 0)];
     let mut bits = [0; SMALL];
     for row in bits.iter_mut().take(rows) {
-        *row = (a.0 | b.0 | c.0).simd_ge(0).to_bitmask() as u32;
-        (a.0, b.0, c.0) = (a.0 + a.1, b.0 + b.1, c.0 + c.1);
+        *row = (a.0 | b.0 | c.0 | d.0).simd_ge(0).to_bitmask() as u32;
+        (a.0, b.0, c.0, d.0) = (a.0 + a.1, b.0 + b.1, c.0 + c.1, d.0 + d.1);
     }
     bits
 }

@@ -5,7 +5,7 @@
 //! ```
 //! The eye is subtracted first, in f64, so a scene a billion units from the origin is as exact as one at the origin. A face
 //! is drawn if the eye is on its outer side. Clipping changes the polygon but not the values at vertices. It uses the cuboid's
-//! own axes, in which long edges are cut as exactly as short ones, and cuts an edge at the same point for both its triangles.
+//! own axes, in which long edges are cut as exactly as short ones, and cuts an edge at the same point for both its faces.
 //! Snapping affects coverage only.
 
 mod frustum;
@@ -14,7 +14,7 @@ use glam::DVec3;
 use hecs::World;
 
 use self::frustum::Frustum;
-use crate::components::{Lens, Mesh, Projected, Projection, TRIANGLES, View, WorldTransform};
+use crate::components::{FACES, Lens, Mesh, Projected, Projection, View, WorldTransform};
 use crate::frame::Frame;
 
 /// Overwrites the [`Projected`] of every cuboid.
@@ -46,15 +46,15 @@ pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: 
         .holds(half)
         .then(|| projected.seen.map(|seen| frustum.snapped(seen)));
     for (index, polygon) in projected.polygons.iter_mut().enumerate() {
-        let corners = TRIANGLES[index].map(usize::from);
-        let (face, axis) = (index / 2, index / 4);
-        let outwards = if face % 2 == 0 { 1.0 } else { -1.0 };
+        let corners = FACES[index].map(usize::from);
+        let axis = index / 2;
+        let outwards = if index % 2 == 0 { 1.0 } else { -1.0 };
         let is_front = outwards * eye_side[axis] > half[axis];
         if !is_front {
             polygon.len = 0;
         } else if let Some(snapped) = &snapped {
-            polygon.len = 3;
-            polygon.vertices[..3].copy_from_slice(&corners.map(|corner| snapped[corner]));
+            polygon.len = 4;
+            polygon.vertices[..4].copy_from_slice(&corners.map(|corner| snapped[corner]));
         } else {
             *polygon = frustum.clip(axis, corners.map(|corner| mesh.corners[corner]));
         }
@@ -66,7 +66,7 @@ mod tests {
     use glam::DMat3;
 
     use super::*;
-    use crate::components::{Camera, Polygon};
+    use crate::components::Camera;
 
     pub(super) fn view(projection: Projection, size: [usize; 2]) -> View {
         let camera = Camera {
@@ -123,13 +123,14 @@ mod tests {
         // 20 units over 200 rows: 10 pixels a unit at any depth. Corner (1, 2) is at (150 + 10, 100 - 20).
         let view = view(Projection::Orthographic, [300, 200]);
         let projected = project_at(DVec3::new(0.0, 0.0, 4.0), DVec3::new(2.0, 4.0, 2.0), &view);
-        // Face +z is 4 5 7 6: its first triangle is 4 5 7.
+        // Face +z is 4 5 7 6.
         assert_eq!(
-            projected.polygons[8].vertices(),
+            projected.polygons[4].vertices(),
             [
                 [140 * 256, 120 * 256],
                 [160 * 256, 120 * 256],
-                [160 * 256, 80 * 256]
+                [160 * 256, 80 * 256],
+                [140 * 256, 80 * 256]
             ]
         );
     }
@@ -137,21 +138,21 @@ mod tests {
     #[test]
     fn only_faces_towards_the_eye_are_drawn() {
         for (projection, position, drawn) in [
-            (Projection::Perspective, DVec3::ZERO, vec![8, 9]),
+            (Projection::Perspective, DVec3::ZERO, vec![4]),
             (
                 Projection::Orthographic,
                 DVec3::new(-5.0, 5.0, 0.0),
-                vec![8, 9],
+                vec![4],
             ),
             (
                 Projection::Perspective,
                 DVec3::new(-5.0, 0.0, 0.0),
-                vec![0, 1, 8, 9],
+                vec![0, 4],
             ),
             (
                 Projection::Perspective,
                 DVec3::new(0.0, -5.0, 0.0),
-                vec![4, 5, 8, 9],
+                vec![2, 4],
             ),
             (Projection::Perspective, DVec3::new(0.0, 0.0, 10.0), vec![]),
         ] {
@@ -186,15 +187,13 @@ mod tests {
         for length in [100.0, 1e9, 1e15, 1e100] {
             let size = DVec3::new(length, 4.0, length);
             let projected = project_at(DVec3::new(0.0, -4.0, 7.0), size, &view);
-            for polygon in &projected.polygons[4..6] {
-                let lowest = polygon.vertices().iter().map(|[_, y]| *y).max();
-                assert_eq!(lowest, Some(300 * 256), "{length}: {polygon:?}");
-                let highest = polygon.vertices().iter().map(|[_, y]| *y).min();
-                assert!(highest < Some(105 * 256), "{length}: {polygon:?}");
-            }
+            let top = projected.polygons[2].vertices();
+            let lowest = top.iter().map(|[_, y]| *y).max();
+            assert_eq!(lowest, Some(300 * 256), "{length}: {top:?}");
+            let highest = top.iter().map(|[_, y]| *y).min();
+            assert!(highest < Some(105 * 256), "{length}: {top:?}");
             // Sideways it is cut at the guard band, unless it ends before.
-            let corners = projected.polygons[4..6].iter().flat_map(Polygon::vertices);
-            let lowest = corners.filter(|[_, y]| *y == 300 * 256);
+            let lowest = top.iter().filter(|[_, y]| *y == 300 * 256);
             let leftmost = lowest.map(|[x, _]| x / 256).min();
             let expected = if length > 100.0 {
                 150 - 2_097_152

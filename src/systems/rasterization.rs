@@ -46,7 +46,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             let rows = band.held(strip * MAX_SIDE..(strip + 1) * MAX_SIDE);
             dispatch!(level, simd => compare(simd, list, strip, &rows, band, scratch));
             for piece in list.strip(strip) {
-                // A piece is drawn after its last strip in this band is compared.
+                // A piece is shaded once, when all its strips in this band have been compared: only then is it known which
+                // of its pixels are hidden. So pieces are not shaded in the order of the list.
                 if band.held(list.spans(piece).rows()).end <= rows.end {
                     list.shade(level, piece, band, scratch);
                 }

@@ -1,14 +1,14 @@
-//! Clips a triangle of a cuboid to the view frustum, and projects and snaps the polygon that remains.
+//! Clips a face of a cuboid to the view frustum, and projects and snaps the polygon that remains.
 //!
 //! ```text
-//!        c                     An edge line is given by a point p and a direction d. A plane cuts it at p + t d where
-//!       / \   plane            plane(p) + t (normal . d) = 0. The coordinates are along the cuboid's axes, so the middle of
-//!   ---*---*---------          an edge is exact. The point p is the point of the line nearest to the eye. Then the rounding
-//!     /     \                  error of the cut * is relative to its distance from the eye, not to the length of
-//!    a-------b                 the edge.
+//!      d-----c                 An edge line is given by a point p and a direction d. A plane cuts it at p + t d where
+//!      |     |    plane        plane(p) + t (normal . d) = 0. The coordinates are along the cuboid's axes, so the middle of
+//!   ---*-----*-------          an edge is exact. The point p is the point of the line nearest to the eye. Then the rounding
+//!      |     |                 error of the cut * is relative to its distance from the eye, not to the length of
+//!      a-----b                 the edge.
 //! ```
 //!
-//! The two triangles of an edge, and its two faces, get the same point bit for bit.
+//! The two faces of an edge get the same point bit for bit.
 
 use glam::{DMat3, DVec3};
 
@@ -84,15 +84,15 @@ impl<'a> Frustum<'a> {
             .all(|plane| plane.at(self.centre - half * plane.normal.signum()) >= 0.0)
     }
 
-    /// The visible part of a triangle on a face perpendicular to `axis`, snapped. Corners are relative to the cuboid's centre.
-    pub fn clip(&self, axis: usize, corners: [DVec3; 3]) -> Polygon {
-        let first = [0, 1, 2].map(|index| {
-            let [from, to] = [corners[index], corners[(index + 1) % 3]];
+    /// The visible part of a face perpendicular to `axis`, snapped. Corners are relative to the cuboid's centre.
+    pub fn clip(&self, axis: usize, corners: [DVec3; 4]) -> Polygon {
+        let first = [0, 1, 2, 3].map(|index| {
+            let [from, to] = [corners[index], corners[(index + 1) % 4]];
             (self.centre + from, EdgeLine::between(from, to, self.centre))
         });
         let mut vertices = [first[0]; Polygon::MAX_VERTICES];
-        vertices[..3].copy_from_slice(&first);
-        let mut len = 3;
+        vertices[..4].copy_from_slice(&first);
+        let mut len = 4;
         for plane in &self.planes {
             let mut places = vertices[..len].iter().map(|vertex| vertex.0);
             if !places.all(|place| plane.at(place) >= 0.0) {
@@ -171,7 +171,7 @@ impl HalfSpace {
 }
 
 impl EdgeLine {
-    /// From one corner of a triangle to another, relative to the cuboid's centre. The middle of an edge is exact, so cuts of
+    /// From one corner of a face to another, relative to the cuboid's centre. The middle of an edge is exact, so cuts of
     /// long edges are as exact as those of short ones, and they are the same from either end.
     fn between(from: DVec3, to: DVec3, centre: DVec3) -> Self {
         let (middle, along) = (centre + (from + to) / 2.0, (to - from) / 2.0);
@@ -203,36 +203,38 @@ mod tests {
     use super::super::tests::view;
     use super::*;
 
-    /// The visible part of a triangle given along right, up and forward, as on a face across the last axis of a cuboid.
-    fn clip(corners: [DVec3; 3], lens: &Lens) -> Polygon {
+    /// The visible part of a quadrilateral given along right, up and forward, as a face across the last axis of a cuboid.
+    fn clip(corners: [DVec3; 4], lens: &Lens) -> Polygon {
         let axes = DMat3::from_cols_array_2d(&lens.axes.map(|axis| axis.to_array()));
         Frustum::new(lens, axes, DVec3::ZERO).clip(2, corners)
     }
 
     #[test]
-    fn the_near_plane_cuts_one_two_or_no_corners_off_a_triangle() {
+    fn the_near_plane_cuts_one_to_three_or_no_corners_off_a_face() {
         let lens = Lens::new(&view(Projection::Perspective, [300, 200]));
-        let triangle = |[first, second, third]: [f64; 3]| {
+        let face = |[first, second, third]: [f64; 3]| {
             let corners = [
                 DVec3::new(0.0, 0.0, first),
                 DVec3::new(1.0, 0.0, second),
+                DVec3::new(1.0, 1.0, second + third - first),
                 DVec3::new(0.0, 1.0, third),
             ];
             clip(corners, &lens)
         };
         let (far, near) = (4.0, 0.5);
         for (depths, corners) in [
-            ([far, far, far], 3),
-            ([near, far, far], 4),
-            ([near, near, far], 3),
+            ([far, far, far], 4),
+            ([near, far, far], 5),
+            ([near, near, far], 4),
             ([near, near, near], 0),
+            ([far, near, near], 3),
             // Exactly on the plane is inside.
-            ([1.0, far, far], 3),
+            ([1.0, far, far], 4),
         ] {
-            assert_eq!(triangle(depths).len, corners, "{depths:?}");
+            assert_eq!(face(depths).len, corners, "{depths:?}");
         }
         // Behind the eye: depth -4 to 4 meets the near plane at depth 1, where x = 0.625 is 62.5 pixels right.
-        let behind = triangle([-4.0, 4.0, 4.0]);
+        let behind = face([-4.0, 4.0, 4.0]);
         assert!(
             behind
                 .vertices()
@@ -242,13 +244,14 @@ mod tests {
     }
 
     #[test]
-    fn a_clipped_edge_is_the_same_for_both_its_triangles() {
+    fn a_clipped_edge_is_the_same_for_both_its_faces() {
         let lens = Lens::new(&view(Projection::Perspective, [300, 200]));
         let a = DVec3::new(-1.3, 0.7, 0.3);
         let b = DVec3::new(2.1, -0.9, 17.7);
         let cuts = |polygon: Polygon| polygon.vertices().to_vec();
-        let one = cuts(clip([a, b, DVec3::new(3.0, 3.0, 5.0)], &lens));
-        let other = cuts(clip([b, a, DVec3::new(-3.0, -3.0, 5.0)], &lens));
+        let aside = DVec3::new(3.0, 3.0, 5.0);
+        let one = cuts(clip([a, b, b + aside, a + aside], &lens));
+        let other = cuts(clip([b, a, a - aside, b - aside], &lens));
         assert_eq!(
             one.iter().filter(|vertex| other.contains(vertex)).count(),
             2,
@@ -263,7 +266,8 @@ mod tests {
             [
                 DVec3::new(-1e80, -1e80, 2.0),
                 DVec3::new(1e80, -1e80, 2.0),
-                DVec3::new(0.0, 1e80, 2.0),
+                DVec3::new(1e80, 1e80, 2.0),
+                DVec3::new(-1e80, 1e80, 2.0),
             ],
             &lens,
         );

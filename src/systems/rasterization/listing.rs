@@ -1,7 +1,5 @@
 //! Lists the visible faces of projected cuboids, with the spans of pixels that they cover. Each is listed once per frame.
 
-use std::ops::Range;
-
 use fearless_simd::Simd;
 use glam::DVec3;
 use hecs::World;
@@ -15,7 +13,7 @@ use crate::shading::Surface;
 use crate::shading::face::nearness;
 use crate::shading::gloss::Gloss;
 use crate::simd::outlined;
-use crate::systems::coverage::{SMALL, covered, rows, scan};
+use crate::systems::coverage::{SMALL, covered, is_convex, scan};
 
 impl DrawList {
     /// Lists the cuboids that have visible faces, and these faces.
@@ -70,22 +68,21 @@ impl DrawList {
         half: DVec3,
         projected: &Projected,
     ) {
-        for (index, polygons) in projected.polygons.as_chunks::<2>().0.iter().enumerate() {
-            if polygons.iter().all(|polygon| polygon.len == 0) {
+        for (index, polygon) in projected.polygons.iter().enumerate() {
+            if polygon.len == 0 {
                 continue;
             }
-            let (row, covered) = cover(simd, self, polygons, size);
-            for spans in covered {
-                if !spans.is_empty() {
-                    self.pieces.push(Piece {
-                        id: id + 2 * index as u32,
-                        object: self.objects.len(),
-                        row,
-                        spans,
-                        nearness: nearness(index, transform, half, &self.rays),
-                        range: self.range(FACES[index].map(|it| projected.seen[usize::from(it)].z)),
-                    });
-                }
+            let start = self.from.len();
+            let row = cover(simd, self, polygon, size);
+            if self.from.len() > start {
+                self.pieces.push(Piece {
+                    id: id + 2 * index as u32,
+                    object: self.objects.len(),
+                    row,
+                    spans: start..self.from.len(),
+                    nearness: nearness(index, transform, half, &self.rays),
+                    range: self.range(FACES[index].map(|it| projected.seen[usize::from(it)].z)),
+                });
             }
         }
     }
@@ -112,80 +109,38 @@ impl DrawList {
     }
 }
 
-/// Lists the pixels that a face covers. Returns the row of the picture of the first span, and the ranges of the spans of one
-/// or two pieces. The spans of its two triangles meet along the diagonal and are listed as one. If snapping has bent a sliver
-/// so that they do not meet, each triangle is a piece.
-fn cover<S: Simd>(
-    simd: S,
-    list: &mut DrawList,
-    polygons: &[Polygon; 2],
-    size: [usize; 2],
-) -> (usize, [Range<usize>; 2]) {
-    let small = outlined!(simd, cover_small(simd, list, polygons, size));
-    if let Some(covered) = small {
-        return covered;
-    }
-    let [width, height] = size;
-    let rows = rows(polygons, height);
-    let triangles = polygons.each_ref().map(|polygon| {
-        scan(polygon, &rows, width, &mut list.from, &mut list.to);
-        list.from.len() - rows.len()..list.from.len()
-    });
-    let [one, other] = triangles.clone();
-    for (one, other) in one.zip(other) {
-        let [one, other] = [one, other].map(|index| list.from[index]..list.to[index]);
-        let span = if one.is_empty() {
-            other
-        } else if other.is_empty() {
-            one
-        } else if one.start <= other.end && other.start <= one.end {
-            one.start.min(other.start)..one.end.max(other.end)
-        } else {
-            return (rows.start, triangles);
-        };
-        list.from.push(span.start);
-        list.to.push(span.end);
-    }
-    (rows.start, [triangles[1].end..list.from.len(), 0..0])
+/// Lists the pixels that a face covers. Returns the row of the picture of the first span.
+fn cover<S: Simd>(simd: S, list: &mut DrawList, polygon: &Polygon, size: [usize; 2]) -> usize {
+    let small = outlined!(simd, cover_small(simd, list, polygon, size));
+    small.unwrap_or_else(|| scan(polygon, size, &mut list.from, &mut list.to))
 }
 
-/// The same for two triangles within a small square of the picture, if their spans meet.
+/// The same for a convex face within a small square of the picture.
 #[inline(always)]
 fn cover_small<S: Simd>(
     simd: S,
     list: &mut DrawList,
-    [one, other]: &[Polygon; 2],
+    polygon: &Polygon,
     size: [usize; 2],
-) -> Option<(usize, [Range<usize>; 2])> {
-    let ([a, b, c], [d, e, f]) = (one.vertices(), other.vertices()) else {
-        return None;
-    };
+) -> Option<usize> {
+    let corners: &[[i32; 2]; 4] = polygon.vertices().try_into().ok()?;
     let [first, last] = [i32::min, i32::max].map(|end: fn(i32, i32) -> i32| {
-        // Triangles cut by the near plane need not share corners, so all six vertices count.
-        let all = [b, c, d, e, f];
-        [0, 1].map(|axis| all.iter().fold(a[axis], |edge, it| end(edge, it[axis])) >> 8)
+        let [a, b, c, d] = corners;
+        [0, 1].map(|axis| end(end(a[axis], b[axis]), end(c[axis], d[axis])) >> 8)
     });
     let fits = [0, 1].map(|axis| {
         first[axis] >= 0
             && last[axis] < size[axis] as i32
             && last[axis] - first[axis] < SMALL as i32
     });
-    if fits != [true; 2] {
+    if fits != [true; 2] || !is_convex(corners) {
         return None;
     }
     let rows = (last[1] - first[1] + 1) as usize;
-    let one = covered(simd, [*a, *b, *c], first, rows);
-    let other = covered(simd, [*d, *e, *f], first, rows);
-    let start = list.from.len();
-    for (one, other) in one.into_iter().zip(other).take(rows) {
-        let row = one | other;
-        // If the bits are one run, adding the lowest bit carries through all of it and leaves none of its bits set.
-        if row & row.wrapping_add(row & row.wrapping_neg()) != 0 {
-            return None;
-        }
+    for row in covered(simd, corners, first, rows).into_iter().take(rows) {
         let from = first[0] + row.trailing_zeros() as i32;
         list.from.push(from);
         list.to.push(from + row.count_ones() as i32);
     }
-    Some((first[1] as usize, [start..list.from.len(), 0..0]))
+    Some(first[1] as usize)
 }

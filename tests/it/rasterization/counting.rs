@@ -1,10 +1,8 @@
 //! Drawings, and assertions of how many polygons cover each pixel.
 
-use std::ops::Range;
-
 use shadetrade::components::Polygon;
 use shadetrade::simd::baseline;
-use shadetrade::systems::coverage::{SMALL, covered, scan};
+use shadetrade::systems::coverage::{SMALL, covered, is_convex, scan};
 
 /// A polygon whose vertices are given in 1/256 pixel, counter-clockwise as seen.
 pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
@@ -16,15 +14,11 @@ pub fn snapped(vertices: &[[i32; 2]]) -> Polygon {
     polygon
 }
 
-/// The rows of a picture that a polygon covers, of some rows, each with its pixels from..to.
-pub fn spans(
-    polygon: &Polygon,
-    rows: Range<usize>,
-    width: usize,
-) -> impl Iterator<Item = (usize, usize, usize)> {
+/// The rows of a picture that a polygon covers, each with its pixels from..to.
+pub fn spans(polygon: &Polygon, size: [usize; 2]) -> impl Iterator<Item = (usize, usize, usize)> {
     let (mut from, mut to) = (Vec::new(), Vec::new());
-    scan(polygon, &rows, width, &mut from, &mut to);
-    let spans = rows.zip(from.into_iter().zip(to));
+    let first = scan(polygon, size, &mut from, &mut to);
+    let spans = (first..).zip(from.into_iter().zip(to));
     spans
         .filter(|(_, (from, to))| from < to)
         .map(|(row, (from, to))| (row, from as usize, to as usize))
@@ -32,14 +26,14 @@ pub fn spans(
 
 /// The number of polygons that cover each pixel of a picture.
 ///
-/// Small triangles are counted in two ways.
+/// Small convex faces are counted in two ways.
 pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
     for polygon in polygons {
         assert_small(polygon, [width, height]);
     }
     let mut counts = vec![0; width * height];
     for polygon in polygons {
-        for (row, from, to) in spans(polygon, 0..height, width) {
+        for (row, from, to) in spans(polygon, [width, height]) {
             for pixel in &mut counts[row * width + from..row * width + to] {
                 *pixel += 1;
             }
@@ -48,19 +42,19 @@ pub fn count(polygons: &[Polygon], [width, height]: [usize; 2]) -> Vec<u32> {
     counts
 }
 
-/// Asserts that a triangle within a small square at the first pixels covers the same pixels if each is tested alone.
+/// Asserts that a convex face within a small square at the first pixels covers the same pixels if each is tested alone.
 fn assert_small(polygon: &Polygon, [width, height]: [usize; 2]) {
     let is_small = |coordinate: &i32| (-128..16 * 256).contains(coordinate);
-    let Ok(corners) = <[[i32; 2]; 3]>::try_from(polygon.vertices()) else {
+    let Ok(corners) = polygon.vertices().try_into() else {
         return;
     };
-    if !corners.as_flattened().iter().all(is_small) {
+    if !polygon.vertices().as_flattened().iter().all(is_small) || !is_convex(corners) {
         return;
     }
     let simd = baseline().expect("every machine has them");
     let bits = covered(simd, corners, [0, 0], SMALL);
     let mut expected = [0; SMALL];
-    for (row, from, to) in spans(polygon, 0..SMALL.min(height), SMALL.min(width)) {
+    for (row, from, to) in spans(polygon, [width, height].map(|side| side.min(SMALL))) {
         expected[row] = (1 << to) - (1 << from);
     }
     for (bits, expected) in bits.into_iter().zip(expected).take(height) {

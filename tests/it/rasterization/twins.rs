@@ -4,7 +4,9 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use shadetrade::components::Polygon;
 
-use super::counting::{assert_twin, encloses, facing, snapped, spans, turn};
+use shadetrade::systems::coverage::is_convex;
+
+use super::counting::{assert_twin, encloses, facing, snapped, turn};
 use crate::support::cases::cases;
 use crate::support::random::Random;
 
@@ -111,17 +113,24 @@ proptest! {
     })]
 
     #[test]
-    fn any_convex_polygon_covers_the_pixels_of_the_definition(
-        polygon in convex(),
-        from in 0..36_usize,
-        rows in 0..36_usize,
-    ) {
+    fn any_convex_polygon_covers_the_pixels_of_the_definition(polygon in convex()) {
         assert_twin(&[polygon], [36, 36], |x, y| encloses(polygon.vertices(), x, y));
-        // Some rows equal those of the whole.
-        let spans = |rows| spans(&polygon, rows, 36).collect::<Vec<_>>();
-        let to = (from + rows).min(36);
-        let mut expected = spans(0..36);
-        expected.retain(|(row, _, _)| (from..to).contains(row));
-        prop_assert_eq!(spans(from..to), expected);
+    }
+
+    #[test]
+    fn a_small_quadrilateral_turns_left_exactly_if_it_is_convex(
+        corners in prop::array::uniform4(prop::array::uniform2(0..6_i32)),
+    ) {
+        let ring = snapped(&corners);
+        if is_convex(&corners) {
+            // `count` compares the bits of small convex faces with their spans.
+            assert_twin(&[ring], [8, 8], |x, y| encloses(&corners, x, y));
+        }
+        let is_hull = (0..4).all(|first| {
+            let rest = [1, 2, 3].map(|next| corners[(first + next) % 4]);
+            turn([corners[first], rest[0], rest[1]]) >= 0
+                && turn([corners[first], rest[0], rest[2]]) >= 0
+        });
+        prop_assert!(!is_hull || is_convex(&corners));
     }
 }

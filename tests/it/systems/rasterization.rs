@@ -11,7 +11,7 @@ use shadetrade::shading::SquareKind;
 use shadetrade::systems::rasterization;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, light, turned};
-use crate::rasterization::counting::spans;
+use crate::rasterization::counting::{snapped, spans};
 use crate::stability::life::{still_life, views};
 use crate::support::scene::{self, shine, spawn_cuboid, truth};
 
@@ -215,13 +215,13 @@ fn of_coplanar_faces_the_cuboid_earlier_in_the_file_is_visible_despite_rounding(
 }
 
 #[test]
-fn a_face_covers_exactly_its_two_triangles() {
-    for triangles in [
-        // Snapping made the face concave: its first corner is a notch, so the upper rows have two spans.
-        [[[6, 6], [1, 1], [6, 14]], [[6, 6], [6, 14], [11, 1]]],
-        // The near plane cut it: the triangles meet along the diagonal, but the second has more of it.
-        [[[1, 1], [1, 9], [9, 9]], [[12, 12], [13, 1], [1, 1]]],
-        [[[12, 12], [13, 1], [1, 1]], [[1, 1], [1, 9], [9, 9]]],
+fn a_face_covers_exactly_the_pixels_of_its_polygon() {
+    for corners in [
+        // Snapping bent the face: its second corner is a notch.
+        [[1, 1], [6, 6], [1, 11], [13, 6]],
+        // Snapping turned its upper part over: the rows there are empty.
+        [[7, 1], [9, 6], [2, 14], [8, 10]],
+        [[1, 1], [1, 9], [12, 12], [13, 1]],
     ] {
         for scale in [1, 3] {
             let view = ahead(Projection::Orthographic, [48, 48]);
@@ -230,19 +230,16 @@ fn a_face_covers_exactly_its_two_triangles() {
             let mut frame = draw(&mut world, &view);
             let mut expected = vec![false; 48 * 48];
             for projected in world.query_mut::<&mut Projected>() {
-                for (polygon, triangle) in projected.polygons[8..10].iter_mut().zip(triangles) {
-                    let vertices = triangle.map(|corner| corner.map(|x| 256 * scale * x));
-                    polygon.vertices[..3].copy_from_slice(&vertices);
-                    polygon.len = 3;
-                    for (row, from, to) in spans(polygon, 0..48, 48) {
-                        expected[48 * row + from..48 * row + to].fill(true);
-                    }
+                let vertices = corners.map(|corner| corner.map(|x| 256 * scale * x));
+                projected.polygons[4] = snapped(&vertices);
+                for (row, from, to) in spans(&projected.polygons[4], [48, 48]) {
+                    expected[48 * row + from..48 * row + to].fill(true);
                 }
             }
             rasterization::run(&mut world, &view, &mut frame);
             let ids = frame.triangles().iter();
             let drawn: Vec<_> = ids.map(|id| *id != NO_TRIANGLE).collect();
-            assert!(drawn == expected, "{triangles:?}, {scale}");
+            assert!(drawn == expected, "{corners:?}, {scale}");
         }
     }
 }
