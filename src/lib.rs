@@ -111,10 +111,9 @@
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and
 //! shares no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]).
-//! [`trade`] compares methods with it in f64 and measures their times: [`trade::metrics`] has the errors, and
-//! [`trade::flip`] estimates the difference that a person sees (Andersson et al. 2020). In intervals, rounded outwards, the
-//! reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the drawn picture with
-//! that.
+//! [`trade`] compares methods with it in f64 and measures their times; [`trade::metrics`] has the errors. In intervals, rounded
+//! outwards, the reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the
+//! drawn picture with that.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};

@@ -22,7 +22,6 @@ pub mod batch;
 pub mod budget;
 pub mod error_map;
 pub mod export;
-pub mod flip;
 pub mod machine;
 pub mod measurement;
 pub mod metrics;

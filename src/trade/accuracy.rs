@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! scene, black background, specular lights alone --> the share of the highlight that each method keeps
-//! scene --+-- exact Phong in f64 ----> error of each method; in a report also FLIP and the error map
+//! scene --+-- exact Phong in f64 ----> error of each method; in a report also the error map
 //!         '-- its own mode in f64 ---> in a report, own error
 //! ```
 //! Nothing here is timed. The figures do not depend on the number of threads.
@@ -13,7 +13,6 @@ use anyhow::Context;
 use glam::DVec3;
 
 use super::error_map::Scale;
-use super::flip;
 use super::measurement::{Measurement, Request};
 use super::metrics::{Picture, compare, compared};
 use super::timing::Timing;
@@ -28,8 +27,8 @@ use crate::systems;
 
 /// The most bytes for a pixel: a reference picture, a frame, and a list of errors.
 const BYTES: usize = 28 + 17 + 8;
-/// The bytes that a report adds: two reference pictures, a map for each method, and FLIP.
-const BYTES_OF_REPORT: usize = 2 * 28 + 4 * METHODS.len() + flip::BYTES_PER_PIXEL;
+/// The bytes that a report adds: two reference pictures, and a map for each method.
+const BYTES_OF_REPORT: usize = 2 * 28 + 4 * METHODS.len();
 
 /// The errors of `methods` in the view of `request`, without times.
 ///
@@ -65,12 +64,9 @@ pub fn errors(
         monitor.check()?;
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
-        let mut difference = compare(drawn, exact);
+        let difference = compare(drawn, exact);
         let (mut own_error, mut map) = (None, Vec::new());
         if request.is_report {
-            if let Some(error) = &mut difference.error {
-                error.flip_mean = flip::mean(drawn, exact, flip::PIXELS_PER_DEGREE);
-            }
             own_error = compare(drawn, Picture::from(&truths[&method.mode])).error;
             map.extend(compared(drawn, exact).map(|it| Scale::WIDEST.color(it)));
         }

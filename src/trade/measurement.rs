@@ -19,7 +19,7 @@ pub struct Request {
     pub methods: Vec<Method>,
     /// The time for timing frames, of all methods together. Each gets [`super::timing::MIN_SAMPLES`] in any case.
     pub time: Duration,
-    /// Whether the figures and the maps are found that only a report shows: `own_error`, `flip_mean` and `map`.
+    /// Whether the figures and the maps are found that only a report shows: `own_error` and `map`.
     pub is_report: bool,
 }
 

@@ -79,9 +79,6 @@ pub struct ErrorStatistics {
     pub p999: f64,
     /// The share of pixels that err by more than one level, 0..=1.
     pub over_1_level: f64,
-    /// Mean FLIP of the displayed bytes, 0..=1; only of the error against exact Phong, in a report.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub flip_mean: Option<f64>,
 }
 
 /// A level as it is displayed, before rounding; NaN gives 0.
@@ -179,6 +176,5 @@ fn statistics(errors: &mut [f64], max: f64, max_pixel: [usize; 2]) -> ErrorStati
         rmse: mean_square.sqrt(),
         p999: *p999,
         over_1_level: over_1_level as f64 / count,
-        flip_mean: None,
     }
 }

@@ -73,8 +73,6 @@ pub struct Error {
     rmse: f64,
     p999: f64,
     over_1_level: f64,
-    /// Of the error against exact Phong alone.
-    pub flip_mean: Option<f64>,
 }
 
 /// Reads the report in `text`; panics if it violates the format.
@@ -105,11 +103,9 @@ pub fn read(text: &str) -> Report {
         assert_eq!(method.ns_per_covered_pixel, time, "{what}");
         let errors = [&method.error, &method.own_error].map(Option::as_ref);
         assert_eq!(errors.map(|it| it.is_some()), [is_covered; 2], "{what}");
-        let flip = errors.map(|it| it.and_then(|error| error.flip_mean));
-        assert_eq!(flip.map(|it| it.is_some()), [is_covered, false], "{what}");
-        let shares = [method.highlight_kept, flip[0]].into_iter().flatten();
-        let shares = shares.chain(errors.into_iter().flatten().map(|it| it.over_1_level));
-        assert!(shares.into_iter().all(|it| (0.0..=1.0).contains(&it)));
+        let shares = errors.into_iter().flatten().map(|it| it.over_1_level);
+        let mut shares = shares.chain(method.highlight_kept);
+        assert!(shares.all(|it| (0.0..=1.0).contains(&it)));
         for error in errors.into_iter().flatten() {
             let in_levels = [0.0, error.mean, error.rmse, error.max, 255.0];
             assert!(in_levels.is_sorted() && error.p999 <= error.max, "{what}");

@@ -1,7 +1,6 @@
 //! Metrics: every figure against a value computed by hand or by another program.
 
 use shadetrade::frame::NO_TRIANGLE;
-use shadetrade::trade::flip;
 use shadetrade::trade::metrics::{
     Difference, ErrorStatistics, Picture, Pixel, compare, compared, difference, pixel_error,
 };
@@ -44,7 +43,6 @@ fn the_figures_of_four_pixels_are_those_computed_by_hand() {
         rmse: 6.5_f64.sqrt(),
         p999: 4.0,
         over_1_level: 0.5,
-        flip_mean: None,
     };
     assert_eq!(difference.error, Some(expected));
 }
@@ -103,105 +101,9 @@ fn pixels_of_one_face_are_compared_and_others_are_edge_pixels() {
         assert_eq!(pixels, (compared_pixels, edge_pixels));
         let error = (compared_pixels > 0).then_some(9.0);
         assert_eq!(found.error.map(|error| error.max), error);
-        let flip = flip::mean(left, right, flip::PIXELS_PER_DEGREE);
-        assert_eq!(flip.is_some(), compared_pixels > 0);
         let kinds = compared(left, right).filter(|it| matches!(it, Pixel::Error(_)));
         assert_eq!(kinds.count() as u64, compared_pixels);
     }
-}
-
-const WIDTH: usize = 64;
-const HEIGHT: usize = 48;
-
-/// A picture of bytes from a formula of column and row.
-fn formula(color: impl Fn(i64, i64) -> [i64; 3]) -> Vec<[f64; 3]> {
-    (0..WIDTH * HEIGHT)
-        .map(|i| color((i % WIDTH) as i64, (i / WIDTH) as i64).map(|level| level as f64))
-        .collect()
-}
-
-fn waves(x: i64, y: i64) -> [i64; 3] {
-    [
-        (x * x + 3 * y) % 256,
-        (5 * x + y * y) % 256,
-        (x * y + 7 * x) % 256,
-    ]
-}
-
-fn ramp(x: i64, y: i64) -> [i64; 3] {
-    [4 * x, 5 * y, 2 * (x + y)]
-}
-
-fn disc(x: i64, y: i64, [center, area, green]: [i64; 3]) -> [i64; 3] {
-    let inside = i64::from((x - center).pow(2) + (y - 24).pow(2) < area);
-    [200 * inside + 20, green * inside + 20, 24]
-}
-
-/// Mean FLIP of two pictures that show one triangle everywhere.
-fn flip_of(left: &[[f64; 3]], right: &[[f64; 3]], pixels_per_degree: f64) -> f64 {
-    let triangles = vec![0; left.len()];
-    let [left, right] = [left, right].map(|levels| whole(WIDTH, levels, &triangles));
-    flip::mean(left, right, pixels_per_degree).expect("covered")
-}
-
-#[test]
-fn flip_agrees_with_its_authors_program() {
-    // The expected values are the means of the maps that flip-evaluator 1.7 (PyPI) returns for the same bytes / 255:
-    // evaluate(left, right, "LDR", applyMagma=False, parameters={"ppd": 67.02064327658226 or 30.0}).
-    let gray = |level| formula(move |_, _| [level; 3]);
-    let pairs = [
-        (
-            formula(waves),
-            formula(|x, y| waves(x + 1, y)),
-            [0.255_367_00, 0.502_435_45],
-        ),
-        (
-            formula(ramp),
-            formula(|x, y| ramp(x, y).map(|level| level / 32 * 32)),
-            [0.276_713_18, 0.312_327_08],
-        ),
-        (
-            formula(|x, y| disc(x, y, [20, 150, 90])),
-            formula(|x, y| disc(x, y, [22, 140, 120])),
-            [0.140_195_65, 0.120_745_75],
-        ),
-        (gray(128), gray(129), [0.029_863_09, 0.029_864_62]),
-        (
-            gray(0),
-            formula(|x, y| [255 * i64::from((x, y) == (32, 24)); 3]),
-            [0.004_657_969_02, 0.001_807_740_78],
-        ),
-    ];
-    for (left, right, expected) in &pairs {
-        for (pixels_per_degree, expected) in [flip::PIXELS_PER_DEGREE, 30.0].iter().zip(expected) {
-            let found = flip_of(left, right, *pixels_per_degree);
-            assert!((found - expected).abs() <= 2e-5, "{found}, {expected}");
-        }
-    }
-}
-
-#[test]
-fn flip_is_symmetric_and_zero_for_equal_pictures() {
-    let [left, right] = [formula(waves), formula(|x, y| waves(y, x))];
-    assert_eq!(flip_of(&left, &right, 67.0), flip_of(&right, &left, 67.0));
-    assert_eq!(flip_of(&left, &left, 67.0), 0.0);
-}
-
-#[test]
-fn flip_averages_where_both_show_one_triangle_and_uses_the_rest_as_surroundings() {
-    // Grey against grey with a stripe of black against white, which is excluded from the mean. 16 columns from it FLIP
-    // is zero, beside it the blur carries the difference over.
-    let stripe = |level| formula(move |x, _| [if (24..40).contains(&x) { level } else { 128 }; 3]);
-    let [left, right] = [stripe(0), stripe(255)];
-    let mean = |counts: fn(usize) -> bool| {
-        let shown = |i| if counts(i % WIDTH) { 0 } else { NO_TRIANGLE };
-        let triangles: Vec<u32> = (0..WIDTH * HEIGHT).map(shown).collect();
-        let [left, right] = [&left, &right].map(|levels| whole(WIDTH, levels, &triangles));
-        flip::mean(left, right, flip::PIXELS_PER_DEGREE).expect("covered")
-    };
-    assert_eq!(mean(|column| !(8..56).contains(&column)), 0.0);
-    let beside = mean(|column| column < 24);
-    assert!(beside > 0.01 && beside < 0.3, "{beside}");
 }
 
 #[test]
