@@ -102,7 +102,7 @@ Examples:
 
 Encloses the exact levels of every pixel by interval arithmetic. Exit status 1 if one is refuted.")]
     Prove(ProveOptions),
-    /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out and its cost
+    /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out
     #[command(after_help = "\
 Examples:
   shadetrade requires bench-close --shading phong --tolerance 4

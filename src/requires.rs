@@ -45,7 +45,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// Whether a scene file can leave the part out, and the renderer draw without it.
+    /// Whether a scene file can leave the part out.
     pub fn is_in_file(self) -> bool {
         !matches!(self, Part::Rule(_) | Part::F64)
     }
@@ -211,8 +211,6 @@ pub struct PartChange {
     pub name: String,
     #[serde(flatten)]
     pub change: Change,
-    /// The part's share of a frame's time, if that was measured.
-    pub time_share: Option<f64>,
     /// False if the picture without it is proven to keep the tolerance.
     pub required: bool,
 }
@@ -233,7 +231,6 @@ pub fn part_changes(
         part,
         name,
         change,
-        time_share: None,
         required: !change.keeps(view.tolerance),
     };
     Ok(parts.into_iter().zip(changes).map(part_change).collect())

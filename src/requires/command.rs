@@ -2,34 +2,24 @@
 //!
 //! The reduced scene is a valid scene file. Its comments list the parts left out and their error.
 
-use std::time::Duration;
-
 use serde_json::json;
 
 use super::bits::{StageBits, bits};
 use super::{Part, PartChange, least, part_changes, ranked, without};
 use crate::components::View;
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, Workers};
 use crate::output::{Output, print, say};
 use crate::report::progress::with_bar;
 use crate::report::tables::{aligned, wrapped};
 use crate::report::words::{interval, short};
 use crate::scene::{Scene, SceneRecord, updated};
-use crate::systems;
-use crate::trade::timing;
 
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
-    above the tolerance, proven; time: the part's share of the shortest frame time on one thread, negative \
-    if the frame without the part takes longer, a dash if the renderer cannot draw without it; required: yes, unless leaving \
-    the part out is proven to keep the tolerance.";
+    above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
 
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
     least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \
     number of bits, in levels of 255, proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
-
-/// How long the share of each part is measured.
-const TIME: Duration = Duration::from_millis(250);
 
 /// Prints the parts and the bits that a picture requires, and writes a reduced scene to `least_scene`.
 ///
@@ -37,7 +27,7 @@ const TIME: Duration = Duration::from_millis(250);
 /// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
-    let rows = rows(drawing, &view)?;
+    let rows = with_bar(|monitor| part_changes(&drawing.scene, &view, monitor))?;
     let stages = with_bar(|monitor| bits(&drawing.scene, &view, monitor))?;
     let record = json!({
         "scene": drawing.scene.name,
@@ -60,57 +50,17 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
     }
 }
 
-/// The parts, with their shares of a frame's time.
-fn rows(drawing: &Drawing, view: &View) -> anyhow::Result<Vec<PartChange>> {
-    let mut rows = with_bar(|monitor| part_changes(&drawing.scene, view, monitor))?;
-    let all = rows.len() as f64;
-    with_bar(|monitor| {
-        for (index, row) in rows.iter_mut().enumerate() {
-            (monitor.progress)("timing", index as f64 / all);
-            row.time_share = time_share(drawing, view, row.part)?;
-        }
-        Ok(rows)
-    })
-}
-
-/// The share of a frame's time that a part costs: 1 - (time without the part) / (time with it), negative if a frame
-/// without the part takes longer. `None` if the renderer cannot draw without the part.
-///
-/// Frames with and without the part are timed in turns, in random order, on one thread. The shortest time of each
-/// counts, because other programs only add to a time.
-fn time_share(drawing: &Drawing, view: &View, part: Part) -> anyhow::Result<Option<f64>> {
-    if !part.is_in_file() {
-        return Ok(None);
-    }
-    let scene = &drawing.scene;
-    let batch = |number| {
-        let mut drawn = [scene.snapshot(), without(scene, &[part])].map(|scene| {
-            let frame = Frame::new(Keep::Display, Workers::alone(drawing.level));
-            (scene.world, frame)
-        });
-        timing::batch(number, 2, TIME, |which| {
-            let (world, frame) = &mut drawn[which];
-            Ok(systems::draw(world, view, frame)?)
-        })
-    };
-    let times = timing::of_batches(batch, |_| ())?;
-    let [with, without] = [&times[0], &times[1]];
-    Ok(Some(1.0 - without.min / with.min))
-}
-
 /// The table of these parts.
 fn table(rows: &[PartChange]) -> String {
     let cells = |row: &PartChange| {
-        let percent = |share: f64| format!("{} %", (100.0 * share).round() as i64);
         [
             row.name.clone(),
             interval(row.change.largest_error, short),
             row.change.pixels.to_string(),
-            row.time_share.map_or_else(|| "-".to_owned(), percent),
             if row.required { "yes" } else { "no" }.to_owned(),
         ]
     };
-    let head = ["part", "largest error", "pixels", "time", "required"];
+    let head = ["part", "largest error", "pixels", "required"];
     aligned(&head, rows.iter().map(cells))
 }
 
