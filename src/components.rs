@@ -20,7 +20,6 @@ mod mesh;
 mod orbit;
 pub mod range;
 mod surface;
-pub(crate) mod table;
 mod transform;
 mod vector;
 mod view;

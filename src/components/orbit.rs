@@ -28,7 +28,7 @@ const FARTHEST: f64 = 30.0;
 
 /// The movement of a camera from its own place.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(default, deny_unknown_fields, expecting = "a table")]
 pub struct Orbit {
     /// Degrees about `up`, to the right as seen from the camera, -180..=180.
     #[serde(deserialize_with = "OrbitAngle::one")]

@@ -8,7 +8,7 @@ use super::range::{Shininess, Strength};
 
 /// The reflection of a surface: one coefficient for each channel and term, and the exponent of the highlight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct Material {
     /// kappa A, >= 0.
     #[serde(deserialize_with = "Strength::three")]

@@ -11,7 +11,7 @@ use super::surface::ShadingMode;
 
 /// The viewer, a component of one entity: the table `[view]` of a scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(default, deny_unknown_fields, expecting = "a table")]
 pub struct Viewer {
     /// The name of the active camera; `None` is the first one.
     #[serde(skip_serializing_if = "Option::is_none")]

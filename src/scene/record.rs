@@ -9,7 +9,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
-use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer, table};
+use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer};
 
 /// The types in messages of serde, and what users call them.
 const TYPES: [(&str, &str); 5] = [
@@ -22,24 +22,22 @@ const TYPES: [(&str, &str); 5] = [
 
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct SceneRecord {
     #[serde(default, deserialize_with = "DisplayLevel::three")]
     pub background: DVec3,
     /// One or more.
-    #[serde(deserialize_with = "table::all")]
     pub cuboid: Vec<CuboidRecord>,
-    #[serde(default, deserialize_with = "table::all")]
+    #[serde(default)]
     pub light: Vec<LightRecord>,
     /// One or more.
-    #[serde(deserialize_with = "table::all")]
     pub camera: Vec<CameraRecord>,
-    #[serde(default, deserialize_with = "table::one")]
+    #[serde(default)]
     pub view: Viewer,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct CuboidRecord {
     pub name: String,
     #[serde(deserialize_with = "Length::three")]
@@ -50,12 +48,11 @@ pub struct CuboidRecord {
     pub rotation: DVec3,
     #[serde(default)]
     pub shading: ShadingMode,
-    #[serde(deserialize_with = "table::one")]
     pub material: Material,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct LightRecord {
     pub name: String,
     pub kind: LightKind,
@@ -77,7 +74,7 @@ pub struct LightRecord {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table")]
 pub struct CameraRecord {
     pub name: String,
     #[serde(deserialize_with = "Coordinate::three")]
@@ -96,7 +93,7 @@ pub struct CameraRecord {
         deserialize_with = "Length::some"
     )]
     pub near: Option<f64>,
-    #[serde(default, deserialize_with = "table::one")]
+    #[serde(default)]
     pub orbit: Orbit,
 }
 

@@ -53,9 +53,8 @@ fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Json], new: &[Json]
     let unsaid = json!({ "orbit": Orbit::default() });
     let mut amended = ArrayOfTables::new();
     for (new, place) in new.iter().zip(places(old, new)) {
-        let table = place.and_then(|place| written.get(place).cloned());
-        let mut table = table.unwrap_or_else(headed);
-        let old = place.map_or(&unsaid, |place| &old[place]);
+        let found = place.and_then(|place| Some((written.get(place)?.clone(), &old[place])));
+        let (mut table, old) = found.unwrap_or_else(|| (headed(), &unsaid));
         amend_table(&mut table, old, new);
         amended.push(table);
     }
@@ -153,6 +152,8 @@ fn written(value: &Json) -> Value {
     match value {
         Json::String(text) => text.into(),
         Json::Array(list) => list.iter().map(written).collect(),
+        // In place of an array of the table's values, which serde reads as the table.
+        Json::Object(table) => table.iter().map(|(key, it)| (key, written(it))).collect(),
         other => {
             let float = other.as_f64().filter(|_| other.is_f64());
             let text = float.map_or_else(|| other.to_string(), |float| format!("{float:?}"));

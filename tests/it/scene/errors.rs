@@ -34,8 +34,8 @@ Values of the wrong type.
 14 ¦ intensity = 1⏎on = 1              ¦ 15:6  ¦ 1
  4 ¦ shading = "Phong"⏎size = [4,3,2]  ¦ 4:11  ¦ Phong ¦ `phong`
  5 ¦ material = 3⏎[cuboid.x]           ¦ 5:12  ¦ 3
-22 ¦ orbit = [0, 0, 1]                 ¦ 22:9  ¦ [0, 0, 1]
- 1 ¦ view = 3                          ¦ 1:8   ¦ 3
+22 ¦ orbit = 3                         ¦ 22:9  ¦ `camera[0].orbit` ¦ a table
+ 1 ¦ view = 3                          ¦ 1:8   ¦ `view` ¦ a table
  2 ¦ [cuboid]                          ¦ 2:1   ¦ [[cuboid]]
 22 ¦ [view]⏎projection = "flat"        ¦ 23:14 ¦ flat
 22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ all

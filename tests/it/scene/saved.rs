@@ -26,7 +26,7 @@ fn edited(text: &str, change: impl FnOnce(&mut SceneRecord)) -> String {
 /// Texts in unusual notations, and all built-in scenes.
 fn texts() -> Vec<&'static str> {
     let texts = BUILT_IN.iter().map(|(_, text)| *text);
-    texts.chain([LEAST, MOST, LOOKED_AT]).collect()
+    texts.chain([LEAST, MOST, LOOKED_AT, ARRAYS]).collect()
 }
 
 /// Comments everywhere, mixed order, explicit defaults.
@@ -66,6 +66,18 @@ target = [0, 0, 0]
 fov = 30
 height = 6
 # The end.
+"#;
+
+/// Tables as arrays of their values.
+const ARRAYS: &str = r#"
+cuboid = [["a", [1, 2, 3], [0, 0, 0], [0, 0, 0], "phong", [[1, 1, 1], [0, 0, 0], [0, 0, 0], 1]]]
+[[camera]]
+name = "front"
+position = [0, 0, 8]
+target = [0, 0, 0]
+fov = 30
+height = 6
+orbit = [0, 0, 2]
 "#;
 
 #[test]
