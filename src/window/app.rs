@@ -95,8 +95,6 @@ pub struct Desk {
     pub message: Option<(String, Duration)>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
-    /// The folder of the file that was open before another scene was chosen.
-    pub last_folder: Option<PathBuf>,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityPlace>,
     /// The side of a wipe whose worst pixel is sought, 0 for the picture, until the errors are known.

@@ -1,7 +1,6 @@
 //! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them change
 //! more than the method.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::Context;
@@ -79,9 +78,6 @@ impl App {
             Ok(told) => {
                 if let Some(told) = told {
                     self.say(told);
-                }
-                if let Some(path) = &self.scene.path {
-                    self.desk.last_folder = path.parent().map(Path::to_path_buf);
                 }
                 self.open(scene);
             }

@@ -2,9 +2,6 @@
 //!
 //! It shows widgets for components of the World, and writes their new values.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
 use egui::{
     Button, CollapsingHeader, ComboBox, Grid, Response, RichText, ScrollArea, Sense, TextWrapMode,
     Ui,
@@ -20,7 +17,7 @@ use crate::components::{
     ordered,
 };
 use crate::drawing::camera_name;
-use crate::scene::{self, BUILT_IN, EXTREMES, Scene};
+use crate::scene::{BUILT_IN, EXTREMES, Scene};
 
 const TOLERANCE: [&str; 3] = [
     "tolerance",
@@ -174,19 +171,12 @@ impl App {
         let mut chosen = None;
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            let files = self.scene_files();
-            let files = files.iter().map(|(name, text)| (&**name, &**text));
-            let built_in = BUILT_IN.iter().chain(EXTREMES).copied();
-            for (name, text) in files.chain(built_in) {
-                let row = ui.selectable_label(self.scene.name == name, name);
-                if row.on_hover_text(heading(text)).clicked() {
+            for (name, _) in BUILT_IN.iter().chain(EXTREMES) {
+                if ui.selectable_label(self.scene.name == *name, *name).clicked() {
                     chosen = Some(Scene::load(Some(name)));
                 }
             }
         });
-        if self.scene.path.is_none() && self.scene.text.starts_with("# ") {
-            ui.weak(heading(&self.scene.text));
-        }
         match chosen {
             Some(Ok(scene)) => self.choose(scene),
             Some(Err(error)) => self.say(error.to_string()),
@@ -210,33 +200,6 @@ impl App {
             }
         });
     }
-
-    /// The names and texts of the scenes in the folder of the open file, or of the last one.
-    fn scene_files(&self) -> Vec<(String, String)> {
-        let own = self.scene.path.as_deref().and_then(Path::parent);
-        let folder = own.or(self.desk.last_folder.as_deref());
-        let folder = folder.unwrap_or(&self.folder);
-        let entries = fs::read_dir(Path::new(".").join(folder));
-        let names = entries.into_iter().flatten().flatten();
-        let mut paths: Vec<_> = names.map(|it| folder.join(it.file_name())).collect();
-        paths.sort();
-        let scene = |path: PathBuf| {
-            let is_named = path.extension().is_some_and(|it| it == "toml");
-            let bytes = (is_named && path.is_file()).then(|| scene::read(&path, scene::LARGEST))?;
-            let bytes = bytes.ok()?;
-            let text = String::from_utf8(bytes).ok();
-            let is_cuboid = |line: &str| line.trim_start_matches(['[', ' ']).starts_with("cuboid");
-            let text = text.filter(|text| text.lines().any(is_cuboid))?;
-            Some((path.to_str()?.to_owned(), text))
-        };
-        paths.into_iter().filter_map(scene).collect()
-    }
-}
-
-/// The comment that a scene's text begins with.
-fn heading(text: &str) -> String {
-    let lines = text.lines().map_while(|line| line.strip_prefix("# "));
-    lines.collect::<Vec<_>>().join(" ")
 }
 
 /// A button with the name and the key of an action, and its sentence as a tooltip.

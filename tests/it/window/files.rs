@@ -184,28 +184,16 @@ fn another_scene_takes_no_edits_with_it() {
 }
 
 #[test]
-fn scenes_in_the_folder_of_the_last_file_are_listed_with_the_built_in_ones() {
-    let (mut window, other) = on_file();
-    let folder = other.with_file_name("own");
-    fs::create_dir(&folder).expect("made");
-    let path = folder.join("mine.toml");
-    fs::rename(other, &path).expect("moved");
-    window.app.open(Scene::load_path(&path).expect("a scene"));
-    for name in ["Cargo.toml", "scene.txt"] {
-        let text = [BUILT_IN[0].1, "[package]"][usize::from(name == "Cargo.toml")];
-        fs::write(path.with_file_name(name), text).expect("written");
-    }
-    let scene = Scene::load(Some("assignment")).expect("built in");
-    window.app.choose(scene);
+fn a_built_in_scene_is_chosen_from_a_list() {
+    let (window, path) = on_file();
     let mut harness = widgets(window.app, [1000, 1000]);
-    let list = By::new().role(Role::ComboBox).value("assignment");
+    let name = path.to_string_lossy();
+    let list = By::new().role(Role::ComboBox).value(&name);
     harness.get(list).click();
     harness.run_ok();
-    let listed = |label: &str| harness.query_by_label_contains(label).is_some();
-    assert!(!listed("Cargo.toml") && !listed("scene.txt"));
-    harness.get_by_label(&path.to_string_lossy()).click();
+    harness.get_by_label("assignment").click();
     harness.run_ok();
-    assert_eq!(harness.state().scene.path, Some(path));
+    assert_eq!(harness.state().scene.name, "assignment");
 }
 
 #[test]
