@@ -141,7 +141,7 @@ impl App {
             ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
             ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
             ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
-            ui.weak("the discs of lights can be dragged, too; with Shift in depth.");
+            ui.weak("the discs of lights in sight can be dragged, too.");
             let scroll = ScrollArea::both().max_height(room.y);
             scroll.min_scrolled_height(room.y).show(ui, |ui| {
                 let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);

@@ -1,4 +1,4 @@
-//! The lights over the picture: discs that can be dragged, and the vectors at the probed pixel.
+//! The lights over the picture: discs of those in sight, which can be dragged, and the vectors at the probed pixel.
 
 use egui::emath::round_to_decimals;
 use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
@@ -8,7 +8,7 @@ use super::app::App;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
-    Camera, Lens, Light, LightKind, Name, Transform, active_camera, in_file_order, length,
+    Camera, Lens, Light, LightKind, Name, Transform, active_camera, in_file_order,
 };
 use crate::frame::display_pixel;
 use crate::paint::color;
@@ -21,14 +21,11 @@ const UNIT: f32 = 110.0;
 const NORMAL: Color32 = Color32::WHITE;
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
-/// The disc of a light. That of a light out of sight is small, and at the border of the picture.
+/// The disc of a light.
 pub struct Disc {
     pub name: String,
     /// Its middle in the window.
     pub at: Pos2,
-    /// The place of a light out of sight, whose disc is at the border: its own, or the middle of the picture if it is not in
-    /// front of the near plane.
-    own: Option<Pos2>,
     color: Color32,
     is_on: bool,
 }
@@ -39,9 +36,7 @@ impl Disc {
         let on = (self.color, (1.5, Color32::from_gray(16)));
         let off = (Color32::from_black_alpha(120), (2.0, self.color));
         let (fill, line) = if self.is_on { on } else { off };
-        let is_in_sight = self.own.is_none();
-        let radius = if is_in_sight { RADIUS } else { RADIUS / 2.0 };
-        painter.circle(self.at, radius, fill, line);
+        painter.circle(self.at, RADIUS, fill, line);
         let (align, side) = if self.at.x > area.center().x {
             (Align2::RIGHT_CENTER, -1.0)
         } else {
@@ -54,19 +49,13 @@ impl Disc {
 }
 
 impl App {
-    /// Lays out the discs of the lights. A drag moves its light across the view, with Shift in depth; both
-    /// a drag and a click select it.
+    /// Lays out the discs of the lights. A drag moves its light across the view; both a drag and a click select it.
     pub fn discs(&mut self, ui: &Ui) {
-        let in_depth = ui.input(|input| input.modifiers.shift);
         for light in self.lights() {
             let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
             let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
             if disc.dragged() {
-                // A light out of sight first comes to its disc.
-                if let Some(own) = light.own.filter(|_| disc.drag_started()) {
-                    self.drag_light(&light.name, (light.at - own) * self.scale(), false);
-                }
-                self.drag_light(&light.name, disc.drag_delta() * self.scale(), in_depth);
+                self.drag_light(&light.name, disc.drag_delta() * self.scale());
             }
             if disc.clicked() || disc.drag_started() {
                 self.select::<Light>("light", &light.name);
@@ -75,67 +64,37 @@ impl App {
         }
     }
 
-    /// The discs of the lights with a position. Those at one place stand below one another.
+    /// The discs of the lights that the picture shows.
     pub fn lights(&self) -> Vec<Disc> {
         type Parts<'a> = (&'a Name, &'a Transform, &'a Light);
         let lens = Lens::new(&self.view());
         let lights = in_file_order::<Parts, _>(&self.scene.world, |(name, transform, light)| {
-            (light.kind != LightKind::Ambient).then(|| {
-                let (at, own) = self.place_of_light(transform.position, &lens);
-                Disc {
-                    name: name.0.clone(),
-                    at,
-                    own,
-                    color: brightest(light.color),
-                    is_on: light.on,
-                }
+            let at = self.place_in_sight(transform.position, &lens)?;
+            (light.kind != LightKind::Ambient).then(|| Disc {
+                name: name.0.clone(),
+                at,
+                color: brightest(light.color),
+                is_on: light.on,
             })
         });
-        let mut discs: Vec<Disc> = Vec::new();
-        for mut disc in lights.into_iter().flatten().take(MOST) {
-            let covers = |at: Pos2| move |other: &Disc| other.at.distance(at) < RADIUS;
-            while discs.iter().any(covers(disc.at)) {
-                disc.at.y += 2.0 * RADIUS + 4.0;
-            }
-            discs.push(disc);
-        }
-        discs
+        lights.into_iter().flatten().take(MOST).collect()
     }
 
-    /// The place of a light's disc in the window, and that of the light if it is out of sight.
-    fn place_of_light(&self, position: DVec3, lens: &Lens) -> (Pos2, Option<Pos2>) {
-        let border = self.place.shrink(3.0 * RADIUS);
-        // A tiny picture has no room between its borders.
-        let within = |at: Pos2| at.max(border.min).min(border.max);
+    /// The place in the window of a point of the scene, if it is in front of the near plane and within the picture.
+    fn place_in_sight(&self, position: DVec3, lens: &Lens) -> Option<Pos2> {
         let seen = lens.seen(position);
-        if seen.z > lens.near {
-            let [x, y] = lens.pixel(lens.homogeneous(seen));
-            let own = self.place.min + vec2(x as f32, y as f32) / self.scale();
-            let is_out = within(own) != own;
-            return (within(own), is_out.then_some(own));
-        }
-        let way = vec2(seen.x as f32, -seen.y as f32).normalized();
-        let beyond = border.center() + way * border.size().max_elem();
-        (within(beyond), Some(self.place.center()))
+        let [x, y] = lens.pixel(lens.homogeneous(seen));
+        let at = self.place.min + vec2(x as f32, y as f32) / self.scale();
+        (seen.z > lens.near && self.place.contains(at)).then_some(at)
     }
 
-    /// Moves a light by pixels of the picture across the view, or in depth. A position beyond its range is refused.
-    ///
-    /// A light that is not in front of the near plane first comes to the middle of the view: half as far away as the camera's
-    /// target, or twice as far as the near plane if that is more.
-    pub fn drag_light(&mut self, name: &str, by: Vec2, in_depth: bool) {
-        let view = self.view();
-        let lens = Lens::new(&view);
-        let half_way = length(view.camera.target - view.camera.position) / 2.0;
-        let [right, up, forward] = lens.axes;
-        let [across, down] = [by.x, by.y].map(f64::from);
-        let aside = right * across - up * down;
-        let way = if in_depth { forward * -down } else { aside };
+    /// Moves a light in sight by pixels of the picture across the view. A position beyond its range is refused.
+    pub fn drag_light(&mut self, name: &str, by: Vec2) {
+        let lens = Lens::new(&self.view());
+        let [right, up, _] = lens.axes;
+        let way = right * f64::from(by.x) - up * f64::from(by.y);
         let lights = (self.scene.world).query_mut::<(&Name, &mut Transform, &Light)>();
         for (_, Transform { position, .. }, _) in lights.into_iter().filter(|it| it.0.0 == name) {
-            if !in_depth && lens.seen(*position).z <= lens.near {
-                *position = lens.eye + forward * half_way.max(2.0 * lens.near);
-            }
             let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
             // Rounded to a tenth of a pixel or less, so that the numbers are short.
             let digits = (1.0 - pixel.log10().floor()).clamp(0.0, 300.0) as usize;

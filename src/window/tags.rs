@@ -14,8 +14,6 @@ use crate::trade::verdict::method_name;
 
 /// The distance of a tag from the edges of the picture, in points.
 const GAP: f32 = 9.0;
-/// The height of a tag, in points.
-const HEIGHT: f32 = 92.0;
 const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
 
 const SHORTCUT: &str =
@@ -57,11 +55,7 @@ impl App {
     /// Lays out the tag of each side in the corner of its half; while the sides take turns, that of the side on screen.
     pub fn tags(&mut self, ui: &mut Ui) {
         let mut sides = self.viewer().sides;
-        let mut area = self.place.shrink(GAP);
-        // While the scene is edited there are discs of lights, which are above the cuboids in most scenes.
-        if self.viewer().inspector == Some(Tab::Scene) {
-            area.min.y = area.min.y.max(area.max.y - HEIGHT);
-        }
+        let area = self.place.shrink(GAP);
         let (left, right) = area.split_left_right_at_fraction(0.5);
         let halves = [(left, Align::Min), (right, Align::Max)];
         let mut clicked = None;
