@@ -3,8 +3,7 @@
 //! ```text
 //! costs of the front, fastest first    0.2  0.31  0.36  0.41  1.0       the budget: 0.4 ms
 //! at rest                                           *                    the last that fits
-//! after a frame of 0.5 ms                    *                           the last that is predicted to fit, with room
-//! after many frames of 0.2 ms                       *
+//! after a frame of 0.45 ms                   *                           the last that is predicted to fit
 //! ```
 //! The choice is a function of numbers; clocks are read elsewhere.
 
@@ -18,13 +17,6 @@ use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
 use crate::shading::{METHODS, Method};
 
-/// The predicted time of another method must be within this share of the budget. The rest is for noise.
-const ROOM: f64 = 0.8;
-/// A more exact method is taken after this number of frames that leave room for it.
-const PATIENCE: u32 = 45;
-/// A frame without room takes back this number of them, so that more than four of five frames must leave room. A lone
-/// interruption does not keep a more exact method away.
-const SETBACK: u32 = 4;
 /// The time for timing frames, of all methods together, before one picture is drawn.
 const MEASURING_TIME: Duration = Duration::from_secs(1);
 
@@ -39,47 +31,14 @@ pub fn fitting(costs: &[f64], budget: f64) -> usize {
     costs.iter().rposition(|cost| *cost <= budget).unwrap_or(0)
 }
 
-/// The choice of a method from frame to frame while things move.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hold {
-    /// The index of its cost.
-    pub place: usize,
-    /// The frames that left room for a more exact method, less the setbacks.
-    calm: u32,
-    /// The least exact of those methods.
-    least: usize,
-}
-
-impl Hold {
-    /// Begins with the method at `place`.
-    pub fn at(place: usize) -> Hold {
-        Hold {
-            place,
-            calm: 0,
-            least: usize::MAX,
-        }
+/// The index after a frame of `last` milliseconds: over the budget, the most exact of the faster methods that is predicted to
+/// fit. The costs may be those of an earlier view; only their ratios count.
+pub fn after(place: usize, last: f64, costs: &[f64], budget: f64) -> usize {
+    if last <= budget || place == 0 {
+        return place;
     }
-
-    /// The choice after a frame of `last` milliseconds. The costs may be those of an earlier view; only their ratios count.
-    #[must_use]
-    pub fn after(self, last: f64, costs: &[f64], budget: f64) -> Hold {
-        let place = self.place.min(costs.len().saturating_sub(1));
-        let cost = costs.get(place).unwrap_or(&0.0);
-        let fits = fitting(costs, ROOM * budget * cost / last);
-        if last > budget && place > 0 {
-            return Hold::at(fits.min(place - 1));
-        }
-        let (calm, least) = if fits > place {
-            (self.calm + 1, self.least.min(fits))
-        } else {
-            (self.calm.saturating_sub(SETBACK), self.least)
-        };
-        match calm {
-            0 => Hold::at(place),
-            PATIENCE.. => Hold::at(least),
-            _ => Hold { place, calm, least },
-        }
-    }
+    let cost = costs.get(place).unwrap_or(&0.0);
+    fitting(costs, budget * cost / last).min(place - 1)
 }
 
 /// The method that holds a budget, and its time and error in words. `None` if nothing is drawn.

@@ -27,7 +27,6 @@ use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
-use crate::trade::budget::Hold;
 
 /// The time without a change after which the picture is compared, measured and proven.
 pub const REST: Duration = Duration::from_millis(100);
@@ -74,7 +73,6 @@ pub struct App {
     pub(super) next_progress: Duration,
     /// The method that holds the budget: the machine's choice, and so no part of the scene.
     pub(super) held: Option<Method>,
-    pub(super) hold: Hold,
     /// The state and the view that were drawn last.
     pub(super) drawn: Option<(Arc<SceneRecord>, View)>,
 }
@@ -151,7 +149,6 @@ impl App {
             next_progress: Duration::ZERO,
             drawn: None,
             held: None,
-            hold: Hold::at(0),
         })
     }
 

@@ -9,7 +9,7 @@ use super::keys::Action;
 use super::widgets::{rounded, short, slider};
 use crate::components::Viewer;
 use crate::components::range::Milliseconds;
-use crate::trade::budget::{Hold, best_trades, fitting, held, over};
+use crate::trade::budget::{after, best_trades, fitting, held, over};
 use crate::trade::verdict::method_name;
 
 /// The factor of a press of a key.
@@ -25,20 +25,22 @@ const BUDGET: [&str; 3] = [
 ];
 
 impl App {
-    /// Chooses the method of the next picture where there is a budget. It is the most exact one that was measured to fit;
-    /// where the view is another one since, the last frame decides. Where nothing was measured the tolerance is drawn.
+    /// With a budget, picks the next frame's method: the most exact measured one that fits. While the view moves, a frame over
+    /// the budget makes it a faster one; at rest all are measured again. Before any measurement the tolerance applies.
     pub fn hold_time(&mut self) {
         let budget = self.viewer().budget;
         let measured = self.facts.trade.value.as_deref().unwrap_or_default();
         let (methods, costs) = best_trades(measured);
         self.held = budget.filter(|_| !methods.is_empty()).map(|budget| {
-            let is_current = self.facts.trade.current().is_some();
-            if is_current || self.held.is_none() {
-                self.hold = Hold::at(fitting(&costs, budget));
-            } else if let Some(last) = self.last_frame() {
-                self.hold = self.hold.after(last, &costs, budget);
-            }
-            methods[self.hold.place.min(methods.len() - 1)]
+            let held = methods.iter().position(|it| Some(*it) == self.held);
+            let place = match held.filter(|_| !self.facts.trade.is_current) {
+                None => fitting(&costs, budget),
+                Some(place) => {
+                    let last = self.last_frame().unwrap_or_default();
+                    after(place, last, &costs, budget)
+                }
+            };
+            methods[place]
         });
     }
 
