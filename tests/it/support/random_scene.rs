@@ -13,8 +13,8 @@ use super::scene::turned;
 /// A scene, given by its seed.
 #[derive(Clone, Debug)]
 pub struct Case {
-    seed: u64,
-    mode: ShadingMode,
+    pub seed: u64,
+    pub mode: ShadingMode,
 }
 
 /// A random scene in one shading mode.
