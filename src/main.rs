@@ -37,13 +37,8 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
                 pictures::render(&mut drawing, &options.output)
             }
         }
-        Command::Trade(options) => {
-            let request = options.request()?;
-            match options.batch {
-                Some(number) => trade::batch::run(&request, number),
-                None => trade::run(&request, options.output.as_deref()),
-            }
-        }
+        Command::Trade(options) if options.batch => trade::batch::run(),
+        Command::Trade(options) => trade::run(&options.request()?, options.output.as_deref()),
         Command::Prove(options) => {
             let map = options.output.as_ref();
             let mut drawing = options.drawing.open(map)?;

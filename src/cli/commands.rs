@@ -3,11 +3,9 @@
 //! A message about a wrong value names the legal values.
 
 use std::ffi::OsStr;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::Context;
 use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 
@@ -15,7 +13,6 @@ use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::output::Output;
 use crate::prove::{PngPicture, read_png};
-use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade;
 
@@ -89,9 +86,9 @@ pub struct TradeOptions {
     /// Measures only these methods [default: all]
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = PossibleValuesParser::new(METHODS.iter().map(|method| method.id)))]
     pub methods: Option<Vec<String>>,
-    /// Times this batch of the scene on standard input and prints the times; `trade` starts itself with it
+    /// Times the batch on standard input and prints the times; `trade` starts itself with it
     #[arg(long, hide = true)]
-    pub batch: Option<usize>,
+    pub batch: bool,
 }
 
 impl TradeOptions {
@@ -100,13 +97,7 @@ impl TradeOptions {
     /// # Errors
     /// [`Failure::Usage`] if the scene is wrong.
     pub fn request(&self) -> Result<trade::Request, Failure> {
-        let mut drawing = if self.batch.is_some() {
-            let text = io::read_to_string(io::stdin()).context("cannot read the scene")?;
-            let scene = Scene::parse("standard input", &text)?;
-            self.drawing.apply_to(scene)?
-        } else {
-            self.drawing.open(None)?
-        };
+        let mut drawing = self.drawing.open(None)?;
         if let (Some(scene), Some(folder)) = (&drawing.scene.path, &self.output) {
             for name in trade::FILES {
                 let file = Output::File(folder.join(name));

@@ -72,21 +72,13 @@ impl DrawingOptions {
     /// [`Failure::Usage`] if the scene is wrong or its file is `output`, or if it has no such camera or light. [`Failure::Work`] if
     /// `output` is a directory or in none.
     pub fn open(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
-        let scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
+        let mut scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
         if let Some(Output::File(path)) = output {
             check_place(path)?;
         }
         if let Some(path) = &scene.path {
             refuse_to_replace(path, output)?;
         }
-        self.apply_to(scene)
-    }
-
-    /// Applies the options to a scene, whatever scene they name.
-    ///
-    /// # Errors
-    /// [`Failure::Usage`] if the scene has no such camera or light.
-    pub fn apply_to(&self, mut scene: Scene) -> Result<Drawing, Failure> {
         if let Some(name) = &self.camera {
             scene.look_from(name).map_err(Failure::Usage)?;
         }

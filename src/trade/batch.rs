@@ -1,25 +1,42 @@
 //! One batch of timed frames, drawn by this process or by one of its own.
 //!
 //! ```text
-//! trade --the same arguments, scene on stdin--> trade --batch 0 --times on stdout--> trade
+//! trade --the batch on stdin, JSON--> trade --batch --times on stdout, JSON--> trade
 //! ```
 //! Some properties vary from run to run of the program, for example the place of its memory. In processes of their own
 //! the batches vary as runs do, so the interval of their medians includes this variation.
 
 use std::env;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use anyhow::{Context, ensure};
+use serde::{Deserialize, Serialize};
 
 use super::measurement::Request;
 use super::timing::{self, Batch};
+use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep};
 use crate::output::Output;
 use crate::report::Monitor;
-use crate::scene::{SceneRecord, updated};
-use crate::systems;
+use crate::scene::{Scene, SceneRecord};
+use crate::shading::METHODS;
+use crate::{simd, systems};
+
+/// A batch for a process of its own: a [`Request`] and the number of the batch.
+#[derive(Serialize, Deserialize)]
+struct BatchRequest {
+    scene: SceneRecord,
+    size: [usize; 2],
+    threads: usize,
+    simd: String,
+    /// By their ids.
+    methods: Vec<String>,
+    time: Duration,
+    number: usize,
+}
 
 /// Times a batch in this process. All methods draw into one frame, so that they have the same place in memory.
 ///
@@ -37,24 +54,31 @@ pub fn time_here(request: &Request, number: usize, monitor: Monitor) -> anyhow::
     })
 }
 
-/// Runs this program as `trade --batch N` with its own arguments and the scene of the request, and returns the times that
-/// it prints. The arguments contain the rest of the request.
+/// Runs this program as `trade --batch`, and returns the times that it prints.
 ///
 /// # Errors
 /// If the process cannot be started or cannot measure.
 pub fn time_in_a_process(request: &Request, number: usize, _: Monitor) -> anyhow::Result<Batch> {
+    let drawing = &request.drawing;
+    let asked = BatchRequest {
+        scene: SceneRecord::of(&drawing.scene.world),
+        size: drawing.size,
+        threads: drawing.threads,
+        simd: simd::name(drawing.level).to_owned(),
+        methods: request.methods.iter().map(|it| it.id.to_owned()).collect(),
+        time: request.time,
+        number,
+    };
     let times = || {
         let mut child = Command::new(this_program()?)
-            .args(["trade", "--batch", &number.to_string()])
-            .args(env::args_os().skip(2))
+            .args(["trade", "--batch"])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()?;
-        if let Some(mut scene) = child.stdin.take() {
+        if let Some(mut input) = child.stdin.take() {
             // A process that does not read it says why.
-            let text = updated("", &SceneRecord::of(&request.drawing.scene.world));
-            let _ = scene.write_all(text.as_bytes());
+            let _ = input.write_all(&serde_json::to_vec(&asked)?);
         }
         let output = child.wait_with_output()?;
         let said = String::from_utf8_lossy(&output.stderr);
@@ -75,11 +99,27 @@ fn this_program() -> std::io::Result<PathBuf> {
     }
 }
 
-/// The command `trade --batch`: times the batch and prints its times.
+/// The command `trade --batch`: times the batch on standard input and prints its times.
 ///
 /// # Errors
-/// If it cannot be measured.
-pub fn run(request: &Request, number: usize) -> anyhow::Result<()> {
-    let times = time_here(request, number, Monitor::NONE)?;
+/// If there is none, or it cannot be measured.
+pub fn run() -> anyhow::Result<()> {
+    let asked = serde_json::from_reader(io::stdin().lock());
+    let asked: BatchRequest = asked.context("cannot read a batch from standard input")?;
+    asked.scene.check()?;
+    let method = |id: &String| METHODS.iter().find(|it| it.id == id).copied();
+    let methods = asked.methods.iter().map(method).collect::<Option<_>>();
+    let request = Request {
+        drawing: Drawing {
+            scene: Scene::spawn(String::new(), &asked.scene),
+            size: asked.size,
+            threads: asked.threads,
+            level: simd::named(&asked.simd).context("no such SIMD level")?,
+        },
+        methods: methods.context("no such method")?,
+        time: asked.time,
+        is_report: false,
+    };
+    let times = time_here(&request, asked.number, Monitor::NONE)?;
     Output::Stdout.write(serde_json::to_vec(&times)?)
 }

@@ -172,7 +172,10 @@ impl App {
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
             for (name, _) in BUILT_IN.iter().chain(EXTREMES) {
-                if ui.selectable_label(self.scene.name == *name, *name).clicked() {
+                if ui
+                    .selectable_label(self.scene.name == *name, *name)
+                    .clicked()
+                {
                     chosen = Some(Scene::load(Some(name)));
                 }
             }

@@ -32,7 +32,7 @@ const FAILURES: &str = r#"
 2  trade --shading phong  ->  --shading|trade
 2  trade --tolerance 1  ->  --tolerance|trade
 2  trade --methods phong-0,phong-3  ->  gouraud-0.5|phong-unit-vectors
-1  trade --batch 1 --quick  ->  standard input
+1  trade --batch  ->  standard input
 # Scenes.
 2  render absent.toml -o b.png  ->  absent.toml
 2  render absent -o b.png  ->  absent|built in are cuboid, bench-far

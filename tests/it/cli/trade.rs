@@ -1,11 +1,11 @@
-//! `trade`: its options, and its batches in processes of their own, which read the scene from standard input.
+//! `trade`: its options, and its batches in processes of their own.
 
 use std::fs;
 use std::process::{Command, Stdio};
 
 use serde_json::{Value, json};
 
-use super::{SCENE, folder, get, listing, put, said, shadetrade};
+use super::{SCENE, folder, get, listing, put, said};
 use crate::trade::contract;
 
 #[cfg(unix)]
@@ -48,20 +48,6 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
         .split(' ')
         .chain(["-o", "my report", "--", "/dev/stdin"]);
     assert!(words.lines().eq(expected), "{command}");
-}
-
-#[test]
-fn a_batch_measures_only_the_scene_on_standard_input() {
-    let folder = folder();
-    put(folder.path(), "my.toml", SCENE);
-    let line = "trade --batch 1 --quick --size 64x48 --methods phong-0,phong-1 ./none.toml";
-    let mut program = shadetrade(folder.path());
-    let scene = fs::File::open(folder.path().join("my.toml")).expect("it is there");
-    let output = program.args(line.split(' ')).stdin(scene).output();
-    let output = output.expect("it starts").stdout;
-    let times: Vec<Vec<f64>> = serde_json::from_slice(&output).expect("they are times");
-    assert_eq!(times.iter().map(Vec::len).collect::<Vec<_>>(), [4, 4]);
-    assert!(times.concat().iter().all(|time| *time > 0.0));
 }
 
 #[test]

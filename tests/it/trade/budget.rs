@@ -25,7 +25,11 @@ fn a_frame_over_the_budget_is_followed_by_one_that_fits_where_any_does() {
             let last = COSTS[place] * load;
             let next = after(place, last, &COSTS, BUDGET);
             let is_kept = |place: usize| COSTS[place] * load <= BUDGET;
-            assert!(if is_kept(place) { next == place } else { next < place || place == 0 });
+            assert!(if is_kept(place) {
+                next == place
+            } else {
+                next < place || place == 0
+            });
             assert!(is_kept(next) || next == 0, "{place}, load {load}: {next}");
             // The most exact of those.
             let is_less_exact = (next + 1..place).any(is_kept);
