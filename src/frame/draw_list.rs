@@ -8,8 +8,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::components::{Illumination, Material, ShadingMode, WorldTransform};
-use crate::shading::affine::Affine;
-use crate::shading::face::Rays;
+use crate::shading::face::{Plane, Rays};
 use crate::shading::gloss::Gloss;
 use crate::shading::square::{MAX_SIDE, Spans};
 
@@ -59,8 +58,7 @@ pub(crate) struct Piece {
     /// The row of the picture of its first span, and the range of its spans in the list.
     pub row: usize,
     pub spans: Range<usize>,
-    /// See [`crate::shading::face::nearness`].
-    pub nearness: Affine<f64>,
+    pub plane: Plane,
     /// The least and the largest nearness on the visible part of the face. Samples are clamped to it: snapping may put
     /// one just outside an edge-on face, where the nearness of its plane is far off.
     pub range: [f64; 2],
@@ -144,7 +142,7 @@ mod tests {
             object: 0,
             row: 0,
             spans: 0..96,
-            nearness: Affine::default(),
+            plane: Plane::default(),
             range: [0.0; 2],
         };
         let mut list = DrawList {

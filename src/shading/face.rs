@@ -49,30 +49,39 @@ impl Rays {
     }
 }
 
-/// The outward unit normal of a face, w and H. `half` are half the cuboid's edges, in world units.
-fn plane(
-    index: usize,
-    transform: &WorldTransform,
-    half: DVec3,
-    rays: &Rays,
-) -> (DVec3, Affine<f64>, Affine<f64>) {
-    let axis = index / 2;
-    let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let outwards = transform.axes.col(axis) * sign;
-    let height = Affine {
-        centre: outwards.dot(-(transform.position - rays.lens.eye)) - half[axis],
-        ..rays.start.map(|o| outwards.dot(o))
-    };
-    (outwards, rays.direction.map(|d| -outwards.dot(d)), height)
+/// The plane of a face, as the lines of sight of a picture meet it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Plane {
+    /// The unit normal, on the side that is seen.
+    outwards: DVec3,
+    /// -m.d and m.O - h; see above.
+    w: Affine<f64>,
+    height: Affine<f64>,
 }
 
-/// 1 / depth of a face in perspective, minus its depth in orthographic projection: affine on the screen, and grows towards
-/// the eye. Depth is in world units along the view direction.
-pub fn nearness(index: usize, transform: &WorldTransform, half: DVec3, rays: &Rays) -> Affine<f64> {
-    let (_, w, height) = plane(index, transform, half, rays);
-    match rays.lens.projection {
-        Projection::Perspective => w.map(|w| w / height.centre),
-        Projection::Orthographic => height.map(|h| h / -w.centre),
+impl Plane {
+    /// The plane of face `index` of a cuboid, as [`FACES`] counts. `half` are half the cuboid's edges, in world units.
+    pub fn new(index: usize, transform: &WorldTransform, half: DVec3, rays: &Rays) -> Self {
+        let axis = index / 2;
+        let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let outwards = transform.axes.col(axis) * sign;
+        Plane {
+            outwards,
+            w: rays.direction.map(|d| -outwards.dot(d)),
+            height: Affine {
+                centre: outwards.dot(-(transform.position - rays.lens.eye)) - half[axis],
+                ..rays.start.map(|o| outwards.dot(o))
+            },
+        }
+    }
+
+    /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the eye.
+    /// Depth is in world units along the view direction.
+    pub fn nearness(&self, projection: Projection) -> Affine<f64> {
+        match projection {
+            Projection::Perspective => self.w.map(|w| w / self.height.centre),
+            Projection::Orthographic => self.height.map(|h| h / -self.w.centre),
+        }
     }
 }
 
@@ -110,12 +119,21 @@ pub struct Face<'a> {
 }
 
 impl<'a> Face<'a> {
-    /// Face `index` of a cuboid, as [`FACES`] counts, on the side that is seen. `half` are half the cuboid's edges, in world
-    /// units.
-    pub fn new(index: usize, transform: &WorldTransform, half: DVec3, rays: &'a Rays) -> Self {
+    /// Face `index` of a cuboid, as [`FACES`] counts, in its plane. `half` are half the cuboid's edges, in world units.
+    pub fn new(
+        index: usize,
+        plane: &Plane,
+        transform: &WorldTransform,
+        half: DVec3,
+        rays: &'a Rays,
+    ) -> Self {
         let axis = index / 2;
         let along = [(axis + 1) % 3, (axis + 2) % 3];
-        let (outwards, w, height) = plane(index, transform, half, rays);
+        let &Plane {
+            outwards,
+            w,
+            height,
+        } = plane;
         let centre = transform.position - rays.lens.eye;
         let face = Face {
             rays,

@@ -9,7 +9,7 @@ use fearless_simd::{Simd, f64x4, mask64x4};
 use super::affine::Affine;
 use super::lanes::dot;
 use super::square::Square;
-use crate::components::{Lens, length};
+use crate::components::Lens;
 use crate::simd::{four, inlined, three, two};
 
 /// The largest relative radius of a vector whose direction is bounded.
@@ -64,7 +64,7 @@ pub struct Field<S: Simd> {
 }
 
 impl<S: Simd> Field<S> {
-    /// A vector on four squares. No coordinate exceeds 1e100, so neither products nor lengths leave the range of f64.
+    /// A vector on four squares. Its direction is not bounded where the square of its length exceeds the range of f64.
     #[inline(always)]
     pub fn new(vector: &Affine, extents: &Extents<S>) -> Self {
         let [x, y] = extents.middle;
@@ -72,14 +72,20 @@ impl<S: Simd> Field<S> {
         let inverse = 1.0 / dot(&middle, &middle).sqrt();
         let steps = two!(|axis| extents.half[axis] * inverse);
         let [right, down] = [vector.dx, vector.dy];
-        let [right_length, down_length] = two!(|axis| steps[axis] * length([right, down][axis]));
-        let radius = right_length + down_length;
-        let parallelogram = steps[0] * steps[1] * length(right.cross(down));
         let middle = three!(|axis| middle[axis] * inverse);
         let [right, down] = [
             three!(|axis| steps[0] * right[axis]),
             three!(|axis| steps[1] * down[axis]),
         ];
+        let length = inlined!(|vector: &[f64x4<S>; 3]| dot(vector, vector).sqrt());
+        let [right_length, down_length] = [length(&right), length(&down)];
+        let infinite = f64x4::splat(inverse.token(), f64::INFINITY);
+        let is_finite = inverse.simd_gt(0.0);
+        let radius = is_finite.select(right_length + down_length, infinite);
+        let parallelogram = length(&three!(|axis| {
+            let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+            right[next] * down[last] - right[last] * down[next]
+        }));
         let along = [dot(&middle, &right), dot(&middle, &down)];
         // A change perpendicular to the vector at the middle makes it no shorter.
         let shortest = 1.0 - along[0].abs() - along[1].abs();

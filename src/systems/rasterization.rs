@@ -20,7 +20,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8, mask32x8, mask64x8, u32x8};
 use hecs::World;
 
-use crate::components::View;
+use crate::components::{Lens, View};
 use crate::frame::{Band, DrawList, Frame, NO_TRIANGLE, Piece};
 use crate::shading::Scratch;
 use crate::shading::affine::Affine;
@@ -88,8 +88,11 @@ fn compare<S: Simd>(
     } else if band.levels.is_empty() {
         return;
     }
-    let middle = list.rays.lens.middle;
+    let Lens {
+        middle, projection, ..
+    } = list.rays.lens;
     for piece in list.strip(strip) {
+        let nearness = piece.plane.nearness(projection);
         for (row, span) in list.spans(piece).within(rows) {
             let pixels = band.indices(row, &span);
             let ids = &mut band.triangles[pixels];
@@ -100,7 +103,7 @@ fn compare<S: Simd>(
                 ];
                 let start = (row - rows.start) * band.width;
                 let depths = &mut scratch.depths[start + span.start..start + span.end];
-                write_nearest(simd, piece, place, depths, ids);
+                write_nearest(simd, piece, &nearness, place, depths, ids);
                 band.drawn[row - band.rows.start].drew(&span);
             } else {
                 ids.fill(piece.id);
@@ -134,18 +137,19 @@ fn set_bits(row: &mut [u64], span: Range<usize>) -> bool {
 fn write_nearest<S: Simd>(
     simd: S,
     piece: &Piece,
+    Affine { centre, dx, dy }: &Affine<f64>,
     [left, y]: [f64; 2],
     depths: &mut [f64],
     ids: &mut [u32],
 ) {
-    let (range, Affine { centre, dx, dy }) = (piece.range, piece.nearness);
+    let range = piece.range;
     let start = centre + dy * y;
     let splat = inlined!(|number: f64| f64x8::splat(simd, number));
     let mut x = splat(left) + f64x8::from_fn(simd, |lane| lane as f64);
     let (eights, depths) = depths.as_chunks_mut::<8>();
     let (id_eights, ids) = ids.as_chunks_mut::<8>();
     for (olds, ids) in eights.iter_mut().zip(id_eights) {
-        let new = splat(start) + splat(dx) * x;
+        let new = splat(start) + splat(*dx) * x;
         // NaN becomes the least.
         let new = new.simd_gt(range[0]).select(new, splat(range[0]));
         let new = new.simd_lt(range[1]).select(new, splat(range[1]));

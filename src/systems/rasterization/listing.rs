@@ -10,7 +10,7 @@ use crate::components::{
 };
 use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
-use crate::shading::face::nearness;
+use crate::shading::face::Plane;
 use crate::shading::gloss::Gloss;
 use crate::simd::outlined;
 use crate::systems::coverage::{SMALL, covered, is_convex, scan};
@@ -80,7 +80,7 @@ impl DrawList {
                     object: self.objects.len(),
                     row,
                     spans: start..self.from.len(),
-                    nearness: nearness(index, transform, half, &self.rays),
+                    plane: Plane::new(index, transform, half, &self.rays),
                     range: self.range(FACES[index].map(|it| projected.seen[usize::from(it)].z)),
                 });
             }

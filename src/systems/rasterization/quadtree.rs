@@ -52,7 +52,13 @@ impl DrawList {
         }
         let object = &self.objects[piece.object];
         let index = (canvas.face_id % 6) as usize;
-        let face = Face::new(index, &object.transform, object.half, &self.rays);
+        let face = Face::new(
+            index,
+            &piece.plane,
+            &object.transform,
+            object.half,
+            &self.rays,
+        );
         let shader = &mut self.shader(object, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {

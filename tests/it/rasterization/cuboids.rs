@@ -68,6 +68,17 @@ fn thin(random: &mut Random, size: [usize; 2]) -> (World, View) {
     (world, view)
 }
 
+/// A world with two to five random cuboids, some edge-on.
+fn several(random: &mut Random, size: [usize; 2]) -> (World, View) {
+    let (mut world, view) = random.one_of(&SCENES)(random, size);
+    for _ in 0..=random.below(4) {
+        let transform = placed(random.around(2.0), random.around(180.0));
+        let edges = DVec3::ONE.map(|_| random.within(0.5, 3.0));
+        spawn_cuboid(&mut world, edges, transform, white(20.0));
+    }
+    (world, view)
+}
+
 fn lit(random: &mut Random) -> World {
     let mut world = empty();
     shine(&mut world, LightKind::Ambient, 30.0, DVec3::ZERO);
@@ -111,7 +122,7 @@ fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
         let workers = Workers::new(threads, Level::new()).expect("the system gives threads");
         Frame::new(Keep::Levels, workers)
     });
-    for scene in SCENES {
+    for scene in SCENES.into_iter().chain([several as Scene]) {
         for case in 0..cases(60) {
             let size = SIZES[case % SIZES.len()];
             let (mut world, view) = scene(&mut random, size);
@@ -137,7 +148,7 @@ fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
 #[test]
 fn no_pixel_of_any_cuboid_is_refuted() {
     let mut random = Random(6);
-    for scene in SCENES {
+    for scene in SCENES.into_iter().chain([several as Scene]) {
         for case in 0..cases(10) {
             let size = [[64, 48], [97, 73], [33, 129]][case % 3];
             let (mut world, view) = scene(&mut random, size);
