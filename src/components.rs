@@ -28,7 +28,7 @@ mod viewer;
 pub use self::camera::{Camera, Lens, Projection};
 pub use self::entity::{FileOrder, Name, get, in_file_order, names, ordered, overwrite};
 pub use self::light::{Illumination, Light, LightKind, PointLight};
-pub use self::mesh::{FACES, Mesh, TRIANGLES};
+pub use self::mesh::{FACES, Mesh, TRIANGLES, TriangleId};
 pub use self::orbit::Orbit;
 pub use self::surface::{
     Material, Normals, Polygon, Projected, ShadingMode, VertexColors, common_mode,

@@ -13,8 +13,8 @@ use fearless_simd::Level;
 use hecs::World;
 use serde::{Deserialize, Serialize};
 
-use crate::components::{Camera, Projection, ShadingMode, View, names};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names};
+use crate::frame::{Frame, Keep, Workers};
 use crate::output::print;
 use crate::prove::{Example, Proof, Verdict, prove_at};
 use crate::report::Monitor;
@@ -275,7 +275,7 @@ impl Extreme {
         systems::draw(world, view, &mut frame)?;
         for (pixel, (id, drawn)) in frame.triangles().iter().zip(frame.levels()).enumerate() {
             let place = [pixel % view.size[0], pixel / view.size[0]];
-            let cuboid = (*id != NO_TRIANGLE).then_some(id / 12);
+            let cuboid = (*id != TriangleId::NONE).then_some(id.cuboid());
             ensure!(
                 fact.allows(place, cuboid, *drawn, limit(view.tolerance)),
                 "pixel {place:?} shows cuboid {cuboid:?}, levels {drawn:?}"

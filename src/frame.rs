@@ -17,10 +17,9 @@ use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 use self::aligned::Aligned;
-pub use self::band::NO_TRIANGLE;
 pub(crate) use self::band::{Band, Drawn};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
-use crate::components::{Illumination, Lens};
+use crate::components::{Illumination, Lens, TriangleId};
 use crate::memory::{self, OutOfMemory};
 pub use crate::shading::Counts;
 use crate::shading::Scratch;
@@ -75,12 +74,6 @@ pub enum Keep {
 /// Bit set in the kind of pixels on the upper or left edge of their square.
 pub const SQUARE_EDGE: u8 = 0x80;
 
-/// The face of a triangle: cuboid * 6 + face, the same for both triangles of a face. [`NO_TRIANGLE`] gives a number that
-/// no cuboid has.
-pub fn face_id(triangle: u32) -> u32 {
-    triangle / 2
-}
-
 /// A picture, and the data that the systems derive for all cuboids together. Its memory is reused for the next picture.
 pub struct Frame {
     keep: Keep,
@@ -100,7 +93,7 @@ struct Buffers {
     background: DVec3,
     pixels: Aligned<u32>,
     levels: Aligned<[f32; 3]>,
-    triangles: Aligned<u32>,
+    triangles: Aligned<TriangleId>,
     kinds: Aligned<u8>,
     /// One per row.
     drawn: Aligned<Drawn>,
@@ -151,8 +144,8 @@ impl Frame {
         self.buffers.levels.as_slice()
     }
 
-    /// The visible triangle of each pixel, cuboid * 12 + triangle, or [`NO_TRIANGLE`]; empty unless [`Keep::Levels`].
-    pub fn triangles(&self) -> &[u32] {
+    /// The visible triangle of each pixel, or [`TriangleId::NONE`]; empty unless [`Keep::Levels`].
+    pub fn triangles(&self) -> &[TriangleId] {
         match self.keep {
             Keep::Levels => self.buffers.triangles.as_slice(),
             Keep::Display => &[],
@@ -200,7 +193,7 @@ impl Frame {
                 background: DVec3::ZERO,
                 pixels: Aligned::new(pixels, 0)?,
                 levels: Aligned::new(levels, [0.0; 3])?,
-                triangles: Aligned::new(triangles, NO_TRIANGLE)?,
+                triangles: Aligned::new(triangles, TriangleId::NONE)?,
                 kinds: Aligned::new(levels, 0)?,
                 drawn: Aligned::new(rows.len(), Drawn::anything(size[0]))?,
                 rows,
@@ -227,7 +220,7 @@ impl Frame {
             width: buffers.size[0],
             rows: buffers.rows.clone(),
             background,
-            pixels: buffers.pixels.as_mut_slice(),
+            bytes: buffers.pixels.as_mut_slice(),
             levels: buffers.levels.as_mut_slice(),
             triangles: buffers.triangles.as_mut_slice(),
             kinds: buffers.kinds.as_mut_slice(),

@@ -186,7 +186,7 @@
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
-//! takes components, [`memory`], [`report::progress`] and [`frame::NO_TRIANGLE`], never a formula of the renderer's;
+//! takes components, [`memory`] and [`report::progress`], never a formula of the renderer's;
 //! [`report`] imports no module of this crate; [`cli`] imports what it needs to convert and check options; minifb is named
 //! in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map
 //! of [`trade`].

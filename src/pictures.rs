@@ -9,9 +9,9 @@ pub use figures::figures;
 
 use std::time::{Duration, Instant};
 
-use crate::components::viewer;
+use crate::components::{TriangleId, viewer};
 use crate::drawing::Drawing;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, display_pixel};
+use crate::frame::{Frame, Keep, display_pixel};
 use crate::memory;
 use crate::output::{Output, say};
 use crate::report::progress::{bands, with_bar};
@@ -63,7 +63,7 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     with_bar(|monitor| {
         for rows in bands(height) {
             let truth = reference::picture(world, &view, rows, monitor)?;
-            let covered_here = truth.triangles.iter().filter(|it| **it != NO_TRIANGLE);
+            let covered_here = truth.triangles.iter().filter(|it| **it != TriangleId::NONE);
             covered += covered_here.count();
             pixels.extend(truth.levels.into_iter().map(display_pixel));
         }

@@ -10,8 +10,8 @@ mod text;
 use fearless_simd::Level;
 use glam::DVec3;
 
-use crate::components::{FileOrder, Light, Material, Name, ShadingMode, View};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, SQUARE_EDGE, Workers, face_id};
+use crate::components::{FileOrder, Light, Material, Name, ShadingMode, TriangleId, View};
+use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
 use crate::memory::OutOfMemory;
 use crate::reference::{self, LightSample, Sample};
 use crate::scene::Scene;
@@ -37,7 +37,7 @@ pub struct ProbedSurface {
     /// The name of the visible cuboid.
     pub object: String,
     /// The index of the visible triangle in [`crate::components::TRIANGLES`].
-    pub triangle: u32,
+    pub triangle: usize,
     /// The material's exponent.
     pub shininess: f64,
     /// The evaluation in f64. Near a diagonal it may be of the other triangle of the face; `None` if the reference sees
@@ -104,7 +104,7 @@ pub fn section(
     let row = (y - top) * width;
     let triangles = &own.triangles()[row..row + width];
     let is_seen = |column: &usize| {
-        triangles[x] != NO_TRIANGLE && face_id(triangles[*column]) == face_id(triangles[x])
+        triangles[x] != TriangleId::NONE && triangles[*column].face_id() == triangles[x].face_id()
     };
     let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
     let last = (x..width).take_while(is_seen).last().unwrap_or(x);
@@ -117,11 +117,14 @@ pub fn section(
     let cuboids: Vec<_> = query.iter().collect();
     let probes = columns.into_iter().zip(samples).map(|(x, sample)| {
         let id = own.triangles()[row + x];
-        let cuboid = cuboids.iter().find(|(order, ..)| order.0 == id / 12);
+        let cuboid = cuboids.iter().find(|(order, ..)| order.0 == id.cuboid());
         let surface = cuboid.map(|(_, name, material, mode)| {
             let levels = |frame: &Frame| frame.levels()[row + x].map(f64::from);
-            let sample =
-                sample.filter(|it| face_id((12 * it.object + it.triangle) as u32) == face_id(id));
+            let own_face = |it: &Sample| {
+                let seen = TriangleId::new(it.object as u32, it.triangle);
+                seen.face_id() == id.face_id()
+            };
+            let sample = sample.filter(own_face);
             // Levels beyond f32 come from the reference. They give the same byte.
             let finite = |frame: &Frame, exact: fn(&Sample) -> DVec3| {
                 let drawn = DVec3::from(levels(frame));
@@ -130,7 +133,7 @@ pub fn section(
             };
             ProbedSurface {
                 object: name.0.clone(),
-                triangle: id % 12,
+                triangle: id.triangle(),
                 shininess: material.shininess,
                 gouraud: finite(&gouraud, |it| it.gouraud),
                 phong: finite(&phong, |it| it.phong),

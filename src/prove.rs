@@ -21,8 +21,8 @@ use fearless_simd::Level;
 use hecs::World;
 use serde::Serialize;
 
-use crate::components::View;
-use crate::frame::{Frame, Keep, NO_TRIANGLE, Workers, display_step, face_id};
+use crate::components::{TriangleId, View};
+use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
 use crate::reference::{Interval, Real, Reference, Seen};
 use crate::report::Monitor;
@@ -187,7 +187,7 @@ impl Shown {
 /// The face at a pixel of a frame, cuboid * 6 + face, and its levels.
 pub fn shown(frame: &Frame, pixel: usize) -> (Option<usize>, [f64; 3]) {
     let triangle = frame.triangles()[pixel];
-    let face = (triangle != NO_TRIANGLE).then_some(face_id(triangle) as usize);
+    let face = (triangle != TriangleId::NONE).then_some(triangle.face_id() as usize);
     (face, frame.levels()[pixel].map(f64::from))
 }
 

@@ -39,6 +39,45 @@ pub const TRIANGLES: [[u8; 3]; 12] = {
     triangles
 };
 
+/// The number of a triangle in a scene: cuboid * 12 + its index in [`TRIANGLES`], which is 2 * face + (0 or 1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct TriangleId(pub u32);
+
+impl TriangleId {
+    /// The triangle of a pixel that shows the background.
+    pub const NONE: TriangleId = TriangleId(u32::MAX);
+
+    /// The triangle at an index in [`TRIANGLES`] of a cuboid.
+    pub fn new(cuboid: u32, triangle: usize) -> Self {
+        TriangleId(12 * cuboid + triangle as u32)
+    }
+
+    /// The first or the second triangle of a face.
+    pub fn of_face(face_id: u32, is_second: bool) -> Self {
+        TriangleId(2 * face_id + u32::from(is_second))
+    }
+
+    /// The [`FileOrder`](super::FileOrder) of its cuboid.
+    pub fn cuboid(self) -> u32 {
+        self.0 / 12
+    }
+
+    /// Its index in [`TRIANGLES`].
+    pub fn triangle(self) -> usize {
+        (self.0 % 12) as usize
+    }
+
+    /// The index of its face in [`FACES`].
+    pub fn face(self) -> usize {
+        self.triangle() / 2
+    }
+
+    /// The number of its face in the scene: cuboid * 6 + face. [`Self::NONE`] gives a number that no cuboid has.
+    pub fn face_id(self) -> u32 {
+        self.0 / 2
+    }
+}
+
 impl Mesh {
     /// A cuboid with the given full edge lengths (world units, > 0).
     pub fn cuboid(size: DVec3) -> Self {

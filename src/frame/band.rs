@@ -6,10 +6,8 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use crate::components::TriangleId;
 use crate::shading::display::display_pixel;
-
-/// The triangle of a pixel that shows the background.
-pub const NO_TRIANGLE: u32 = u32::MAX;
 
 /// The pixels that are drawn in one row, by the last frame and by the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,9 +49,10 @@ pub(crate) struct Band<'a> {
     /// The rows of the picture.
     pub rows: Range<usize>,
     pub background: DVec3,
-    pub pixels: &'a mut [u32],
+    /// Displayed pixels, 0x00RRGGBB.
+    pub bytes: &'a mut [u32],
     pub levels: &'a mut [[f32; 3]],
-    pub triangles: &'a mut [u32],
+    pub triangles: &'a mut [TriangleId],
     /// Undefined where no triangle is visible.
     pub kinds: &'a mut [u8],
     /// One per row.
@@ -69,7 +68,7 @@ impl<'a> Band<'a> {
             width: self.width,
             rows: self.rows.start..row,
             background: self.background,
-            pixels: take(&mut self.pixels, pixels),
+            bytes: take(&mut self.bytes, pixels),
             levels: take(&mut self.levels, pixels),
             triangles: take(&mut self.triangles, pixels),
             kinds: take(&mut self.kinds, pixels),
@@ -104,9 +103,9 @@ impl<'a> Band<'a> {
                     continue;
                 }
                 let part = first + part.start as usize..first + part.end as usize;
-                fill(self.pixels, part.clone(), pixel);
+                fill(self.bytes, part.clone(), pixel);
                 fill(self.levels, part.clone(), levels);
-                fill(self.triangles, part, NO_TRIANGLE);
+                fill(self.triangles, part, TriangleId::NONE);
             }
         }
     }
@@ -192,7 +191,7 @@ mod tests {
             width: WIDTH,
             rows: 0..1,
             background: DVec3::ZERO,
-            pixels: &mut pixels,
+            bytes: &mut pixels,
             levels: &mut [],
             triangles: &mut [],
             kinds: &mut [],

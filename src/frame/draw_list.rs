@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::components::{Illumination, Material, ShadingMode, WorldTransform};
+use crate::components::{Illumination, Material, ShadingMode, TriangleId, WorldTransform};
 use crate::shading::face::{Plane, Rays};
 use crate::shading::gloss::Gloss;
 use crate::shading::square::{MAX_SIDE, Spans};
@@ -51,8 +51,8 @@ pub(crate) struct Object {
 /// A face, and the pixels that it covers.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
-    /// The number of its first triangle: cuboid * 12 + triangle.
-    pub id: u32,
+    /// Its first triangle.
+    pub id: TriangleId,
     /// Its index in [`DrawList::objects`].
     pub object: usize,
     /// The row of the picture of its first span, and the range of its spans in the list.
@@ -138,7 +138,7 @@ mod tests {
     /// The cuts of some rows of a picture of 96 rows, in which a piece covers so many pixels of each.
     fn cuts(pixels: i32, rows: &Range<usize>, several: bool) -> Vec<usize> {
         let piece = Piece {
-            id: 0,
+            id: TriangleId(0),
             object: 0,
             row: 0,
             spans: 0..96,

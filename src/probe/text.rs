@@ -19,7 +19,7 @@ type Levels<T> = fn(&T) -> DVec3;
 impl ProbedSurface {
     /// The number of the triangle, and the reference's number if it differs.
     pub fn triangle_label(&self) -> String {
-        let own = self.triangle as usize;
+        let own = self.triangle;
         match &self.sample {
             Some(sample) if sample.triangle != own => {
                 format!("triangle {own} (reference: {})", sample.triangle)

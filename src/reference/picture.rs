@@ -14,9 +14,8 @@ use super::real::{Real, RealVector};
 use super::rule::Rule;
 use super::sight::Sight;
 use crate::components::{
-    FileOrder, Light, Material, Mesh, ShadingMode, TRIANGLES, Transform, View, in_file_order,
+    FileOrder, Light, Material, Mesh, ShadingMode, Transform, TriangleId, View, in_file_order,
 };
-use crate::frame::NO_TRIANGLE;
 use crate::memory;
 use crate::report::Monitor;
 
@@ -31,8 +30,8 @@ pub struct Truth {
     pub width: usize,
     /// Unclamped levels of 255, row by row from the top; the background level where no cuboid is hit.
     pub levels: Vec<[f64; 3]>,
-    /// The visible triangle of each pixel: cuboid * 12 + triangle, or [`NO_TRIANGLE`].
-    pub triangles: Vec<u32>,
+    /// The visible triangle of each pixel, or [`TriangleId::NONE`].
+    pub triangles: Vec<TriangleId>,
 }
 
 /// A picture that is evaluated pixel by pixel, in f64, f32 or intervals.
@@ -71,9 +70,9 @@ pub struct Met<'a, R> {
 /// A surface, or the background, that a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// Cuboid * 12 + triangle; `None` is the background. Under Phong the two triangles of a face do not differ, so near
+    /// `None` is the background. Under Phong the two triangles of a face do not differ, so near
     /// the diagonal this is the first one.
-    pub triangle: Option<usize>,
+    pub triangle: Option<TriangleId>,
     /// Unclamped levels of 255.
     pub levels: [R; 3],
 }
@@ -81,7 +80,7 @@ pub struct Seen<R> {
 impl<R> Seen<R> {
     /// Cuboid * 6 + face; `None` is the background.
     pub fn face(&self) -> Option<usize> {
-        self.triangle.map(|triangle| triangle / 2)
+        self.triangle.map(|triangle| triangle.face_id() as usize)
     }
 }
 
@@ -211,7 +210,7 @@ impl<R: Real> ReferenceCuboid<R> {
                 let lit = self.lit(face, is_first, place, open);
                 let triangle = 2 * face + usize::from(!is_first);
                 seen.push(Seen {
-                    triangle: Some(self.number * TRIANGLES.len() + triangle),
+                    triangle: Some(TriangleId::new(self.number as u32, triangle)),
                     levels: lit.levels.0,
                 });
                 lit.ties > 0
@@ -289,7 +288,7 @@ pub fn picture(
     let mut levels = memory::reserve_pixels(size)?;
     levels.resize(width * rows.len(), [0.0; 3]);
     let mut triangles = memory::reserve_pixels(size)?;
-    triangles.resize(width * rows.len(), NO_TRIANGLE);
+    triangles.resize(width * rows.len(), TriangleId::NONE);
     let lines = levels.par_chunks_mut(width);
     let lines = lines.zip(triangles.par_chunks_mut(width));
     let rows = rows.into_par_iter().zip(lines);
@@ -297,7 +296,7 @@ pub fn picture(
         reference.row(y, |x, seen| {
             // In floats a pixel shows exactly one surface.
             levels[x] = seen[0].levels;
-            triangles[x] = seen[0].triangle.map_or(NO_TRIANGLE, |it| it as u32);
+            triangles[x] = seen[0].triangle.unwrap_or(TriangleId::NONE);
         });
         Ok(())
     };

@@ -87,8 +87,8 @@ pub struct Square {
     pub columns: [usize; 2],
     /// The rows from..to outside which nothing is covered.
     pub rows: [usize; 2],
-    /// How many pixels are covered.
-    pub pixels: usize,
+    /// The number of covered pixels.
+    pub covered: usize,
 }
 
 impl Square {
@@ -115,7 +115,7 @@ impl Square {
             side,
             columns: [corner[0], corner[0] + side],
             rows: [corner[1], corner[1] + side],
-            pixels: side * side,
+            covered: side * side,
         }
     }
 
@@ -153,7 +153,7 @@ impl Square {
         Square {
             columns: columns.map(|column| column as usize),
             rows: covered.map(|row| row as usize),
-            pixels: pixels as usize,
+            covered: pixels as usize,
             ..Square::default()
         }
     }
@@ -175,7 +175,7 @@ impl Square {
     /// Whether all of it is covered.
     #[inline(always)]
     pub fn is_whole(&self) -> bool {
-        self.pixels == self.side * self.side
+        self.covered == self.side * self.side
     }
 
     /// The parts of it, of sixteen columns each, in which anything is covered.

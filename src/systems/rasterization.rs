@@ -20,8 +20,8 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8, mask32x8, mask64x8, u32x8};
 use hecs::World;
 
-use crate::components::{Lens, View};
-use crate::frame::{Band, DrawList, Frame, NO_TRIANGLE, Piece};
+use crate::components::{Lens, TriangleId, View};
+use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::Scratch;
 use crate::shading::affine::Affine;
 use crate::shading::square::MAX_SIDE;
@@ -140,7 +140,7 @@ fn write_nearest<S: Simd>(
     Affine { centre, dx, dy }: &Affine<f64>,
     [left, y]: [f64; 2],
     depths: &mut [f64],
-    ids: &mut [u32],
+    ids: &mut [TriangleId],
 ) {
     let range = piece.range;
     let start = centre + dy * y;
@@ -153,13 +153,15 @@ fn write_nearest<S: Simd>(
         // NaN becomes the least.
         let new = new.simd_gt(range[0]).select(new, splat(range[0]));
         let new = new.simd_lt(range[1]).select(new, splat(range[1]));
-        let old_ids = u32x8::simd_from(simd, *ids);
-        let is_free = mask64x8::from_bitmask(simd, old_ids.simd_eq(NO_TRIANGLE).to_bitmask());
+        let old_ids = u32x8::simd_from(simd, ids.map(|id| id.0));
+        let is_free =
+            mask64x8::from_bitmask(simd, old_ids.simd_eq(TriangleId::NONE.0).to_bitmask());
         let old = is_free.select(splat(FARTHEST), f64x8::simd_from(simd, *olds));
         let nearer = (new - old).simd_gt(splat(DEPTH_TIE) * old.abs());
         *olds = *nearer.select(new, old);
         let nearer = mask32x8::from_bitmask(simd, nearer.to_bitmask());
-        *ids = *nearer.select(u32x8::splat(simd, piece.id), old_ids);
+        let new_ids = nearer.select(u32x8::splat(simd, piece.id.0), old_ids);
+        *ids = new_ids.as_array().map(TriangleId);
         x += 8.0;
     }
     // The rest of the span, by the same operations.
@@ -168,7 +170,11 @@ fn write_nearest<S: Simd>(
         let new = start + dx * x;
         let new = if new > range[0] { new } else { range[0] };
         let new = if new < range[1] { new } else { range[1] };
-        let depth = if *id == NO_TRIANGLE { FARTHEST } else { *old };
+        let depth = if *id == TriangleId::NONE {
+            FARTHEST
+        } else {
+            *old
+        };
         if new - depth > DEPTH_TIE * depth.abs() {
             (*old, *id) = (new, piece.id);
         }

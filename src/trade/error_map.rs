@@ -156,7 +156,7 @@ pub fn with_legend(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frame::NO_TRIANGLE;
+    use crate::components::TriangleId;
     use crate::trade::metrics::{Picture, compared};
 
     #[test]
@@ -221,11 +221,21 @@ mod tests {
         let left = Picture {
             width: 2,
             levels: &[[0.0; 3], [0.0; 3], [9.0; 3], [300.0; 3]],
-            triangles: &[NO_TRIANGLE, 0, 1, 1],
+            triangles: &[
+                TriangleId::NONE,
+                TriangleId(0),
+                TriangleId(1),
+                TriangleId(1),
+            ],
         };
         let right = Picture {
             levels: &[[0.0; 3]; 4],
-            triangles: &[NO_TRIANGLE, 2, 1, 0],
+            triangles: &[
+                TriangleId::NONE,
+                TriangleId(2),
+                TriangleId(1),
+                TriangleId(0),
+            ],
             ..left
         };
         let found: Vec<Pixel> = compared(left, right).collect();

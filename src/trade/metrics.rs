@@ -8,7 +8,8 @@
 
 use serde::Serialize;
 
-use crate::frame::{Frame, NO_TRIANGLE, face_id};
+use crate::components::TriangleId;
+use crate::frame::Frame;
 use crate::reference::{Interval, Real, Truth};
 
 /// A picture to compare, row by row from the top.
@@ -18,8 +19,8 @@ pub struct Picture<'a, T> {
     pub width: usize,
     /// Red, green and blue in levels, unclamped.
     pub levels: &'a [[T; 3]],
-    /// Cuboid * 12 + triangle seen at each pixel, or [`NO_TRIANGLE`].
-    pub triangles: &'a [u32],
+    /// The triangle seen at each pixel, or [`TriangleId::NONE`].
+    pub triangles: &'a [TriangleId],
 }
 
 impl<'a> From<&'a Frame> for Picture<'a, f32> {
@@ -117,8 +118,8 @@ pub fn pixel_error<T: Into<f64>, U: Into<f64>>(left: [T; 3], right: [U; 3]) -> f
 impl<T> Picture<'_, T> {
     /// Whether both pictures show the same face at this pixel, counted row by row.
     pub fn shows_as<U>(&self, other: &Picture<U>, pixel: usize) -> bool {
-        face_id(self.triangles[pixel]) == face_id(other.triangles[pixel])
-            && self.triangles[pixel] != NO_TRIANGLE
+        self.triangles[pixel].face_id() == other.triangles[pixel].face_id()
+            && self.triangles[pixel] != TriangleId::NONE
     }
 }
 
@@ -128,7 +129,7 @@ pub fn compared(
     right: Picture<f64>,
 ) -> impl Iterator<Item = Pixel> {
     (0..left.levels.len()).map(move |pixel| {
-        if [left.triangles[pixel], right.triangles[pixel]] == [NO_TRIANGLE; 2] {
+        if [left.triangles[pixel], right.triangles[pixel]] == [TriangleId::NONE; 2] {
             Pixel::Nothing
         } else if left.shows_as(&right, pixel) {
             Pixel::Error(pixel_error(left.levels[pixel], right.levels[pixel]))

@@ -8,8 +8,8 @@ use std::time::Instant;
 
 use hecs::World;
 
-use crate::components::{ShadingMode, Side, View, ViewMode, Viewer};
-use crate::frame::{Frame, Keep, NO_TRIANGLE, SQUARE_EDGE, Workers};
+use crate::components::{ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
+use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
 use crate::memory::OutOfMemory;
 use crate::shading::SquareKind;
 use crate::systems;
@@ -132,9 +132,9 @@ fn grey(pixel: u32) -> u32 {
 }
 
 /// Tints the grey of each pixel of a triangle by the kind of its square, and draws the square's outline; see [`Frame::kinds`].
-fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[u32]) {
+fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[TriangleId]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
-        if *triangle != NO_TRIANGLE {
+        if *triangle != TriangleId::NONE {
             let weight = [TINT_WEIGHT, OUTLINE_WEIGHT][usize::from(kind & SQUARE_EDGE != 0)];
             *pixel = mix(
                 grey(*pixel),

@@ -31,7 +31,7 @@ fn shares(world: &mut World, view: &View) -> Vec<(SquareKind, f64)> {
     let [frame, shown] = [Keep::Levels, Keep::Display].map(|keep| draw(world, view, keep));
     let truth = truth(world, view);
     let pixels = frame.triangles().iter().zip(&truth.triangles).enumerate();
-    let pixels = pixels.filter(|(_, (id, other))| id == other && **id < 12);
+    let pixels = pixels.filter(|(_, (id, other))| id == other && id.cuboid() == 0);
     let shares = pixels.map(|(pixel, _)| {
         let kind = SquareKind::ALL[usize::from(frame.kinds()[pixel] & !SQUARE_EDGE)];
         let [_, bytes @ ..] = shown.pixels()[pixel].to_be_bytes();

@@ -5,8 +5,7 @@ use std::sync::Mutex;
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
-use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::components::{LightKind, Material, Projection, ShadingMode, TriangleId, View};
 use shadetrade::reference::{Sample, in_row, picture};
 use shadetrade::report::Monitor;
 
@@ -84,12 +83,12 @@ fn a_pixel_centre_on_an_edge_belongs_to_the_triangle_right_of_it_or_below() {
         let view = above([10, 10], 5.0, Projection::Orthographic);
         let triangles = truth(&turned([3.0; 3], degrees), &view).triangles;
         let rows = triangles.chunks(10).map(|row| {
-            let seen = row.iter().filter(|id| **id != NO_TRIANGLE);
-            seen.map(u32::to_string).collect::<String>()
+            let seen = row.iter().filter(|id| **id != TriangleId::NONE);
+            seen.map(|id| id.0.to_string()).collect::<String>()
         });
         let rows: Vec<String> = rows.filter(|row| !row.is_empty()).collect();
         assert_eq!(rows.join(" "), expected, "{degrees} degrees");
-        let first = triangles.iter().position(|id| *id != NO_TRIANGLE);
+        let first = triangles.iter().position(|id| *id != TriangleId::NONE);
         assert_eq!(first, Some(33), "row 3, column 3");
     }
 }
@@ -178,12 +177,12 @@ fn a_single_pixel_equals_that_of_the_picture_and_its_terms_add_up() {
         [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| truth(&world, &view.shaded(mode)));
     for pixel in 0..40 * 30 {
         let Some(seen) = at_pixel(&world, &view, pixel % 40, pixel / 40) else {
-            assert_eq!(phong.triangles[pixel], NO_TRIANGLE);
+            assert_eq!(phong.triangles[pixel], TriangleId::NONE);
             continue;
         };
         assert_eq!(
-            seen.object * 12 + seen.triangle,
-            phong.triangles[pixel] as usize
+            TriangleId::new(seen.object as u32, seen.triangle),
+            phong.triangles[pixel]
         );
         let levels = [seen.gouraud.to_array(), seen.phong.to_array()];
         assert_eq!(levels, [gouraud.levels[pixel], phong.levels[pixel]]);

@@ -7,7 +7,8 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
-use crate::frame::{Band, NO_TRIANGLE, SQUARE_EDGE, face_id};
+use crate::components::TriangleId;
+use crate::frame::{Band, SQUARE_EDGE};
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
@@ -19,10 +20,10 @@ use crate::simd::three;
 pub struct Canvas<'a, 'b> {
     pub band: &'a mut Band<'b>,
     pub spans: Spans<'a>,
-    /// See [`crate::frame::face_id`].
+    /// See [`TriangleId::face_id`].
     pub face_id: u32,
     /// The pixels of a square that are evaluated one by one.
-    pub pixels: &'a mut Pixels,
+    pub listed: &'a mut Pixels,
     /// The counts of the thread.
     pub counts: &'a mut Counts,
 }
@@ -43,7 +44,7 @@ impl Canvas<'_, '_> {
         // A square lies in one strip.
         let overlaps = self.band.overlaps(rows.start);
         if !overlaps && rows == square.covered_rows() {
-            return square.pixels;
+            return square.covered;
         }
         let spans = self.spans.clipped(rows, square.columns);
         let seen = spans.map(|(row, span)| {
@@ -51,7 +52,7 @@ impl Canvas<'_, '_> {
                 return span.len();
             }
             let ids = self.band.triangles[self.band.indices(row, &span)].iter();
-            let seen = ids.map(|id| u32::from(face_id(*id) == self.face_id));
+            let seen = ids.map(|id| u32::from(id.face_id() == self.face_id));
             seen.sum::<u32>() as usize
         });
         seen.sum()
@@ -59,13 +60,13 @@ impl Canvas<'_, '_> {
 
     /// Whether bytes are drawn, and of the whole square; `seen` is the number of pixels drawn.
     pub fn is_whole(&self, square: &Square, seen: usize) -> bool {
-        !self.band.pixels.is_empty() && seen == square.side * square.side
+        !self.band.bytes.is_empty() && seen == square.side * square.side
     }
 
     /// Lists the pixels of a square at which the piece is visible.
     #[inline(always)]
     pub fn list<S: Simd>(&mut self, simd: S, square: &Square) {
-        self.pixels.count = 0;
+        self.listed.count = 0;
         let [left, top] = square.first().map(|first| first as f32);
         for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             let y = top + (row - square.corner[1]) as i32 as f32;
@@ -78,7 +79,7 @@ impl Canvas<'_, '_> {
                     let count = (seen >> start).trailing_ones();
                     let index = self.band.index(first, row) + start as usize;
                     let place = [x + start as i32 as f32, y];
-                    self.pixels.extend(simd, place, index, count as usize);
+                    self.listed.extend(simd, place, index, count as usize);
                     seen &= u32::MAX << (start + count);
                 }
             }
@@ -88,19 +89,19 @@ impl Canvas<'_, '_> {
     /// The number of strips with listed pixels of a square of [`MIN_SIDE`](crate::shading::square::MIN_SIDE): one or two.
     pub fn strips(&self) -> u64 {
         let row = |index: u32| self.band.rows.start + index as usize / self.band.width;
-        let [first, last] = [0, self.pixels.count - 1].map(|it| row(self.pixels.indices[it]));
+        let [first, last] = [0, self.listed.count - 1].map(|it| row(self.listed.indices[it]));
         (last / MAX_SIDE - first / MAX_SIDE + 1) as u64
     }
 
-    /// Draws the listed pixels.
+    /// Writes the listed pixels.
     #[inline(always)]
-    pub fn draw_pixels<S: Simd>(&mut self, simd: S) {
-        if self.band.pixels.is_empty() {
-            for (index, levels) in self.pixels.levels() {
+    pub fn write_listed<S: Simd>(&mut self, simd: S) {
+        if self.band.bytes.is_empty() {
+            for (index, levels) in self.listed.levels() {
                 self.band.levels[index] = levels;
             }
         } else {
-            self.pixels.show(simd, self.band.pixels);
+            self.listed.show(simd, self.band.bytes);
         }
     }
 
@@ -114,10 +115,10 @@ impl Canvas<'_, '_> {
         for (row, span) in self.spans.clipped(self.rows(square), square.columns) {
             for column in span {
                 let pixel = self.band.index(column, row);
-                if face_id(self.band.triangles[pixel]) == self.face_id {
+                if self.band.triangles[pixel].face_id() == self.face_id {
                     let [x, y] = [0, 1].map(|axis| [column, row][axis] as f64 + 0.5 - middle[axis]);
-                    let second = u32::from(drawn.diagonal.at(x, y) < 0.0);
-                    self.band.triangles[pixel] = 2 * self.face_id + second;
+                    let is_second = drawn.diagonal.at(x, y) < 0.0;
+                    self.band.triangles[pixel] = TriangleId::of_face(self.face_id, is_second);
                     let edge = row == square.corner[1] || column == square.corner[0];
                     self.band.kinds[pixel] = kind as u8 | if edge { SQUARE_EDGE } else { 0 };
                 }
@@ -133,7 +134,7 @@ impl Canvas<'_, '_> {
         for part in 0..square.side / 16 {
             rows.go_to(part);
             let first = left + 16 * part;
-            let lines = self.band.pixels[start..].chunks_exact_mut(self.band.width);
+            let lines = self.band.bytes[start..].chunks_exact_mut(self.band.width);
             for (row, line) in lines.take(square.side).enumerate() {
                 line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
             }
@@ -150,11 +151,11 @@ impl Canvas<'_, '_> {
         let ids = &self.band.triangles[self.band.index(first, row)..];
         let ids = ids.first_chunk().copied().unwrap_or_else(|| {
             // The last row of the band ends before.
-            let mut sixteen = [NO_TRIANGLE; 16];
+            let mut sixteen = [TriangleId::NONE; 16];
             sixteen[..ids.len()].copy_from_slice(ids);
             sixteen
         });
-        let faces = u32x16::simd_from(simd, ids) >> 1;
+        let faces = u32x16::simd_from(simd, ids.map(TriangleId::face_id));
         let seen = faces.simd_eq(u32x16::splat(simd, self.face_id));
         seen.to_bitmask() as u32 & covered
     }
@@ -180,20 +181,20 @@ impl Canvas<'_, '_> {
                 let seen = self.seen_lanes(simd, first, row, span);
                 let start = self.band.index(first, row);
                 let lanes = (0..16).filter(|lane| seen >> lane & 1 == 1);
-                if self.band.pixels.is_empty() {
+                if self.band.bytes.is_empty() {
                     let levels = rows.levels(row - top);
                     for lane in lanes {
                         self.band.levels[start + lane] = three!(|channel| levels[channel][lane]);
                     }
                 } else {
                     let new = rows.pixels(row - top);
-                    if let Some(line) = self.band.pixels[start..].first_chunk_mut::<16>() {
+                    if let Some(line) = self.band.bytes[start..].first_chunk_mut::<16>() {
                         let seen = mask32x16::from_bitmask(simd, seen.into());
                         *line = *seen.select(new, u32x16::simd_from(simd, *line));
                     } else {
                         // The last row of the band ends before.
                         for lane in lanes {
-                            self.band.pixels[start + lane] = new[lane];
+                            self.band.bytes[start + lane] = new[lane];
                         }
                     }
                 }

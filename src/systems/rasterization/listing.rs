@@ -6,7 +6,7 @@ use hecs::World;
 
 use crate::components::{
     FACES, FileOrder, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode,
-    VertexColors, View, WorldTransform,
+    TriangleId, VertexColors, View, WorldTransform,
 };
 use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
@@ -33,9 +33,8 @@ impl DrawList {
             )>()
         {
             let half = mesh.corners[7];
-            let id = 12 * order.0;
             let pieces = self.pieces.len();
-            self.list_faces(simd, view.size, id, transform, half, projected);
+            self.list_faces(simd, view.size, order.0, transform, half, projected);
             if self.pieces.len() == pieces {
                 continue;
             }
@@ -58,12 +57,12 @@ impl DrawList {
         }
     }
 
-    /// Lists the visible faces of a cuboid; `id` is the number of its first triangle.
+    /// Lists the visible faces of a cuboid.
     fn list_faces<S: Simd>(
         &mut self,
         simd: S,
         size: [usize; 2],
-        id: u32,
+        cuboid: u32,
         transform: &WorldTransform,
         half: DVec3,
         projected: &Projected,
@@ -76,7 +75,7 @@ impl DrawList {
             let row = cover(simd, self, polygon, size);
             if self.from.len() > start {
                 self.pieces.push(Piece {
-                    id: id + 2 * index as u32,
+                    id: TriangleId::new(cuboid, 2 * index),
                     object: self.objects.len(),
                     row,
                     spans: start..self.from.len(),

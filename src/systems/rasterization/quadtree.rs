@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
-use crate::frame::{Band, DrawList, Object, Piece, face_id};
+use crate::frame::{Band, DrawList, Object, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
@@ -30,7 +30,7 @@ impl DrawList {
         let Scratch {
             lights,
             to_lights,
-            pixels,
+            pixels: listed,
             counts,
             ..
         } = scratch;
@@ -40,20 +40,19 @@ impl DrawList {
         let mut canvas = Canvas {
             band,
             spans,
-            face_id: face_id(piece.id),
-            pixels,
+            face_id: piece.id.face_id(),
+            listed,
             counts,
         };
         if let Some(square) = &small {
             dispatch!(level, simd => canvas.list(simd, square));
-            if canvas.pixels.count == 0 {
+            if canvas.listed.count == 0 {
                 return;
             }
         }
         let object = &self.objects[piece.object];
-        let index = (canvas.face_id % 6) as usize;
         let face = Face::new(
-            index,
+            piece.id.face(),
             &piece.plane,
             &object.transform,
             object.half,
@@ -65,7 +64,7 @@ impl DrawList {
                 let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
                 shader.prepare(simd, &extents, false);
                 let kind = canvas.draw_listed(simd, shader, 0, square);
-                canvas.counts.add(kind, canvas.strips(), canvas.pixels.count);
+                canvas.counts.add(kind, canvas.strips(), canvas.listed.count);
                 canvas.mark(square, kind, &face);
             }
             None => canvas.draw_face(simd, shader),
@@ -128,8 +127,8 @@ impl Canvas<'_, '_> {
             return;
         }
         let extents = Extents::new(simd, squares, &shader.face().rays.lens);
-        let pixels: usize = squares.iter().map(|square| square.pixels).sum();
-        let (interpolant, promising) = shader.prepare(simd, &extents, pixels >= WORTHWHILE);
+        let covered: usize = squares.iter().map(|square| square.covered).sum();
+        let (interpolant, promising) = shader.prepare(simd, &extents, covered >= WORTHWHILE);
         let mut cut = [false; 4];
         for (index, (square, seen)) in squares.iter().zip(seen).enumerate() {
             if seen == 0 {
@@ -192,8 +191,8 @@ impl Canvas<'_, '_> {
         index: usize,
         square: &Square,
     ) -> SquareKind {
-        shader.evaluate(simd, square, index, self.pixels);
-        outlined!(simd, self.draw_pixels(simd));
-        shader.count(index, self.pixels.count, self.counts)
+        shader.evaluate(simd, square, index, self.listed);
+        outlined!(simd, self.write_listed(simd));
+        shader.count(index, self.listed.count, self.counts)
     }
 }

@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Material, Mesh, Projection, ShadingMode, Transform, View};
-use shadetrade::frame::{Keep, NO_TRIANGLE};
+use shadetrade::components::{
+    Material, Mesh, Projection, ShadingMode, Transform, TriangleId, View,
+};
+use shadetrade::frame::Keep;
 
 use crate::stability::life::{Bits, still_life, views};
 use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, turned, view};
@@ -20,7 +22,10 @@ fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>),
     assert_eq!(plain.1.len(), extreme.1.len());
     for (view, other) in plain.1.iter().zip(&extreme.1) {
         let expected = Bits::of(&draw(&mut plain.0, view, Keep::Levels));
-        let seen = expected.triangles.iter().filter(|id| **id != NO_TRIANGLE);
+        let seen = expected
+            .triangles
+            .iter()
+            .filter(|id| **id != TriangleId::NONE);
         assert!(seen.count() > 100, "{what}");
         let found = Bits::of(&draw(&mut extreme.0, other, Keep::Levels));
         assert!(found == expected, "{what}, {other:?}");

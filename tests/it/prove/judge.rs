@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use shadetrade::components::TriangleId;
 use shadetrade::prove::Verdict::{Proven, Refuted, Undecided};
 use shadetrade::prove::{Mark, Shown, Verdict, judge};
 use shadetrade::reference::{Interval, Real, Seen};
@@ -13,7 +14,7 @@ fn interval([least, largest]: [f64; 2]) -> Interval {
 /// A face or the background with the same enclosure in every channel.
 fn seen(face: Option<usize>, ends: [f64; 2]) -> Seen<Interval> {
     Seen {
-        triangle: face.map(|face| 2 * face),
+        triangle: face.map(|face| TriangleId::of_face(face as u32, false)),
         levels: [interval(ends); 3],
     }
 }
@@ -81,7 +82,7 @@ fn the_display_clamps_both_sides() {
 fn the_enclosure_of_all_numbers_proves_and_refutes_nothing() {
     for levels in [Interval::of(f64::NAN), Interval::ALL] {
         let seen = [Seen {
-            triangle: Some(0),
+            triangle: Some(TriangleId(0)),
             levels: [levels; 3],
         }];
         assert_eq!(verdict(shown(Some(0), 40.0), &seen, 8.0), Undecided);

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
-use shadetrade::frame::{Keep, face_id};
+use shadetrade::frame::Keep;
 use shadetrade::trade::metrics::pixel_error;
 
 use super::proof;
@@ -83,7 +83,7 @@ fn estimate(world: &mut World, view: &View) -> f64 {
     let drawn = frame.triangles().iter().zip(frame.levels());
     let exact = truth.triangles.iter().zip(&truth.levels);
     let pairs = drawn.zip(exact);
-    let same = pairs.filter(|((drawn, _), (seen, _))| face_id(**drawn) == face_id(**seen));
+    let same = pairs.filter(|((drawn, _), (seen, _))| drawn.face_id() == seen.face_id());
     let errors = same.map(|((_, levels), (_, exact))| pixel_error(*levels, *exact));
     errors.fold(0.0, f64::max) / view.tolerance
 }

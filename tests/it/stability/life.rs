@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{Material, Projection, ShadingMode, View};
+use shadetrade::components::{Material, Projection, ShadingMode, TriangleId, View};
 use shadetrade::frame::Frame;
 
 use crate::support::scene::{MODES, empty, placed, spawn_cuboid, spawn_light, view};
@@ -69,7 +69,7 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
 pub struct Bits {
     pub pixels: Vec<u32>,
     pub levels: Vec<[u32; 3]>,
-    pub triangles: Vec<u32>,
+    pub triangles: Vec<TriangleId>,
 }
 
 impl Bits {

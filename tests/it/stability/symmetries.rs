@@ -6,8 +6,8 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{FileOrder, Mesh, Transform, View};
-use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, Workers};
+use shadetrade::components::{FileOrder, Mesh, Transform, TriangleId, View};
+use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::systems;
 
 use super::life::Bits;
@@ -36,9 +36,13 @@ fn the_order_of_cuboids_changes_no_bit() {
             order.0 = last - order.0;
         }
         let mut second = Bits::of(&draw(&mut world, &view, Keep::Levels));
-        for id in second.triangles.iter_mut().filter(|id| **id != NO_TRIANGLE) {
+        for id in second
+            .triangles
+            .iter_mut()
+            .filter(|id| **id != TriangleId::NONE)
+        {
             // The depths of random cuboids do not tie.
-            *id = (last - *id / 12) * 12 + *id % 12;
+            *id = TriangleId::new(last - id.cuboid(), id.triangle());
         }
         assert!(first == second, "{view:?}");
     }

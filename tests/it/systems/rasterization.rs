@@ -3,10 +3,10 @@
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
 use shadetrade::components::{
-    FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, VertexColors, View,
-    ordered,
+    FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, TriangleId,
+    VertexColors, View, ordered,
 };
-use shadetrade::frame::{Frame, Keep, NO_TRIANGLE, SQUARE_EDGE};
+use shadetrade::frame::{Frame, Keep, SQUARE_EDGE};
 use shadetrade::shading::SquareKind;
 use shadetrade::systems::rasterization;
 
@@ -45,8 +45,11 @@ fn no_square_reaches_beyond_the_edges_of_its_face() {
             let inside = (50..150).contains(&x) && (40..120).contains(&y);
             assert_eq!(*pixel, if inside { 0x0064_6464 } else { 0 }, "{x}, {y}");
             // Face +z has the triangles 8 and 9.
-            let is_seen = [8, 9].contains(id);
-            assert!(is_seen == inside && (inside || *id == NO_TRIANGLE), "{id}");
+            let is_seen = [8, 9].contains(&id.0);
+            assert!(
+                is_seen == inside && (inside || *id == TriangleId::NONE),
+                "{id:?}"
+            );
         }
     }
 }
@@ -71,7 +74,7 @@ fn the_nearer_cuboid_is_visible_and_at_equal_depth_the_one_earlier_in_the_file()
             }
             world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1.0)));
             let frame = draw(&mut world, &ahead(projection, [9, 9]));
-            let seen = (frame.levels()[40][0], frame.triangles()[40] / 12);
+            let seen = (frame.levels()[40][0], frame.triangles()[40].cuboid());
             assert_eq!(seen, (50.0 + 50.0 * expected as f32, orders[expected]));
         }
     }
@@ -110,7 +113,7 @@ fn gouraud_draws_the_vertex_colours() {
         }
         rasterization::run(&mut world, &view, &mut frame);
         let drawn = frame.levels().iter().zip(frame.triangles()).enumerate();
-        for (index, (levels, _)) in drawn.filter(|(_, (_, id))| **id != NO_TRIANGLE) {
+        for (index, (levels, _)) in drawn.filter(|(_, (_, id))| **id != TriangleId::NONE) {
             let y = (100.0 - (index / 300) as f64 - 0.5) * pitch;
             let error = f64::from(levels[0]) - 100.0 * (y + 1.0) / 2.0;
             assert!(error.abs() < 0.05, "{projection:?}: {error} at {index}");
@@ -140,7 +143,7 @@ fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_lev
                     &ahead(Projection::Orthographic, size).shaded(mode),
                 );
                 let drawn = frame.triangles().iter().zip(frame.kinds());
-                for (_, kind) in drawn.filter(|(id, _)| **id != NO_TRIANGLE) {
+                for (_, kind) in drawn.filter(|(id, _)| **id != TriangleId::NONE) {
                     let kind = SquareKind::ALL[usize::from(kind & !SQUARE_EDGE)];
                     assert_eq!(kind == SquareKind::InF64, is_double, "{mode:?}, {share}");
                 }
@@ -201,7 +204,8 @@ fn of_coplanar_faces_the_cuboid_earlier_in_the_file_is_visible_despite_rounding(
                 place.position = place.axes() * (DVec3::Z * (4.0 - size / 2.0));
                 spawn_cuboid(&mut world, DVec3::splat(*size), place, MATERIAL);
             }
-            let count = |ids: &[u32]| ids.iter().filter(|id| **id / 2 == 6 * order + 4).count();
+            let front = TriangleId::new(order, 8).face_id();
+            let count = |ids: &[TriangleId]| ids.iter().filter(|id| id.face_id() == front).count();
             [
                 count(draw(&mut world, &view).triangles()),
                 count(&truth(&world, &view).triangles),
@@ -238,7 +242,7 @@ fn a_face_covers_exactly_the_pixels_of_its_polygon() {
             }
             rasterization::run(&mut world, &view, &mut frame);
             let ids = frame.triangles().iter();
-            let drawn: Vec<_> = ids.map(|id| *id != NO_TRIANGLE).collect();
+            let drawn: Vec<_> = ids.map(|id| *id != TriangleId::NONE).collect();
             assert!(drawn == expected, "{corners:?}, {scale}");
         }
     }
@@ -262,7 +266,11 @@ fn beyond_its_corners_a_face_is_as_deep_as_its_outermost_corner() {
         let vertices = polygons.flat_map(|it| &mut it.vertices);
         vertices.for_each(|[x, _]| *x = moved(*x));
         rasterization::run(&mut world, &view, &mut frame);
-        frame.triangles().iter().filter(|id| **id < 12).count()
+        frame
+            .triangles()
+            .iter()
+            .filter(|id| id.cuboid() == 0)
+            .count()
     };
     for projection in PROJECTIONS {
         // A fifth wider than they are: their planes would continue behind the wall.

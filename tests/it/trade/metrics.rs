@@ -1,6 +1,6 @@
 //! Metrics: every figure against a value computed by hand or by another program.
 
-use shadetrade::frame::NO_TRIANGLE;
+use shadetrade::components::TriangleId;
 use shadetrade::trade::metrics::{
     Difference, ErrorStatistics, Picture, Pixel, compare, compared, difference, pixel_error,
 };
@@ -8,7 +8,7 @@ use shadetrade::trade::metrics::{
 const GRAY: [f64; 3] = [100.0; 3];
 
 /// A picture that shows one triangle everywhere.
-fn whole<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Picture<'a, T> {
+fn whole<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [TriangleId]) -> Picture<'a, T> {
     Picture {
         width,
         levels,
@@ -18,7 +18,7 @@ fn whole<'a, T>(width: usize, levels: &'a [[T; 3]], triangles: &'a [u32]) -> Pic
 
 /// The comparison with a flat grey picture of one row that shows one triangle.
 fn against_gray(levels: &[[f64; 3]]) -> Difference {
-    let triangles = vec![0; levels.len()];
+    let triangles = vec![TriangleId(0); levels.len()];
     compare(
         whole(levels.len(), levels, &triangles),
         whole(levels.len(), &vec![GRAY; levels.len()], &triangles),
@@ -52,7 +52,10 @@ fn the_largest_error_has_its_column_and_row_and_the_first_wins() {
     let mut levels = [GRAY; 6];
     levels[4] = [0.0, 100.0, 100.0];
     levels[5] = [100.0, 200.0, 100.0];
-    let difference = compare(whole(3, &levels, &[7; 6]), whole(3, &[GRAY; 6], &[7; 6]));
+    let difference = compare(
+        whole(3, &levels, &[TriangleId(7); 6]),
+        whole(3, &[GRAY; 6], &[TriangleId(7); 6]),
+    );
     let error = difference.error.expect("six pixels are compared");
     assert_eq!((error.max, error.max_pixel), (100.0, [1, 1]));
 }
@@ -84,7 +87,7 @@ fn levels_are_compared_as_they_are_displayed_without_rounding() {
 
 #[test]
 fn pixels_of_one_face_are_compared_and_others_are_edge_pixels() {
-    const NOTHING: u32 = NO_TRIANGLE;
+    const NOTHING: u32 = TriangleId::NONE.0;
     // Both triangles; the number of compared pixels and of edge pixels.
     for (left, right, compared_pixels, edge_pixels) in [
         // Triangles 5 and 6 belong to two faces, 11 and 12 to two cuboids.
@@ -94,6 +97,7 @@ fn pixels_of_one_face_are_compared_and_others_are_edge_pixels() {
         ([0, 46, 1, 47], [1, 47, 0, 46], 4, 0),
         ([NOTHING; 4], [NOTHING; 4], 0, 0),
     ] {
+        let [left, right] = [left, right].map(|ids: [u32; 4]| ids.map(TriangleId));
         let (zeros, nines) = ([[0.0; 3]; 4], [[9.0; 3]; 4]);
         let (left, right) = (whole(2, &zeros, &left), whole(2, &nines, &right));
         let found = compare(left, right);
