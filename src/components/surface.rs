@@ -83,6 +83,9 @@ pub struct Polygon {
 }
 
 impl Polygon {
+    /// Snapping moves a coordinate of a vertex by at most this, in pixels.
+    pub const SNAP: f64 = 1.0 / 512.0;
+
     /// A face, cut by the near plane and by the four sides of the guard band.
     pub const MAX_VERTICES: usize = 9;
 

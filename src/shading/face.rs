@@ -16,7 +16,7 @@
 use glam::DVec3;
 
 use super::affine::Affine;
-use crate::components::{FACES, Lens, Projection, WorldTransform, length};
+use crate::components::{FACES, Lens, Polygon, Projection, WorldTransform, length};
 
 /// The lines of sight of a frame, anchored at the picture's middle.
 #[derive(Clone, Copy, Debug, Default)]
@@ -89,9 +89,6 @@ impl Plane {
 /// decide coverage, so slivers have such points.
 pub const OVERSHOOT: f64 = 1.0 / 128.0;
 
-/// An upper bound of how far snapping moves an edge, in pixels.
-const SNAPPING: f64 = 1.0 / 256.0;
-
 /// A face that is seen. Its functions are anchored at the picture's middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
@@ -107,7 +104,7 @@ pub struct Face<'a> {
     pub uvw: Affine,
     /// w times [`Self::diagonal_at`].
     pub diagonal: Affine<f64>,
-    /// An upper bound of w |d(u, v) / d pixel| where u and v are at most 1.
+    /// w |grad u| and w |grad v| are at most this on the face and within [`OVERSHOOT`] of it, per pixel.
     uv_gradient: f64,
     /// The plane's distance from the cuboid's centre.
     half_height: f64,
@@ -158,7 +155,8 @@ impl<'a> Face<'a> {
             dx: DVec3::new(u.dx, v.dx, w.dx),
             dy: DVec3::new(u.dy, v.dy, w.dy),
         };
-        let moved = |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + w.abs();
+        let moved =
+            |u: f64, v: f64, w: f64| u.abs().max(v.abs()) + (1.0 + 2.0 * OVERSHOOT) * w.abs();
         Face {
             uvw,
             diagonal: uvw.map(|it| face.diagonal_at([it.x, it.y])),
@@ -223,8 +221,8 @@ impl<'a> Face<'a> {
     /// Where w is larger than this the face is steady, that is, not a sliver: no centre of a covered pixel lies further
     /// outside it than by [`OVERSHOOT`].
     pub fn least_steady(&self) -> f64 {
-        // Snapping moves a vertex by at most 1/512 pixel, and a face is 2 wide in u and in v.
-        self.uv_gradient / (2.0 * 512.0 * OVERSHOOT)
+        // A face is 2 wide in u and in v.
+        self.uv_gradient * Polygon::SNAP / (2.0 * OVERSHOOT)
     }
 
     /// Whether it is steady where w is at least `least`.
@@ -260,7 +258,8 @@ impl<'a> Face<'a> {
             (foot, step, step.abs() / (1.0 - foot * step.signum()))
         });
         let end = f64::max(u.2, v.2);
-        let turned = SNAPPING * w.dx.hypot(w.dy);
+        // An edge moves by less than twice as much as a coordinate of its ends.
+        let turned = 2.0 * Polygon::SNAP * w.dx.hypot(w.dy);
         // Beyond the horizon every point is infinitely far.
         let ahead = if uvw.z > 0.0 { uvw.z } else { 0.0 };
         // Never in orthographic projection: w is the same everywhere, so `turned` is 0.
@@ -274,20 +273,6 @@ impl<'a> Face<'a> {
     /// A point of the face, from the eye, in world units.
     pub fn from_eye(&self, [u, v]: [f64; 2]) -> DVec3 {
         self.middle + self.half_edges[0] * u + self.half_edges[1] * v
-    }
-
-    /// Whether N.L < 0 for the normal N at each corner and the vector L from each corner to a light, whose position is given
-    /// from the eye. The corners are those of a face that is larger by the overshoot.
-    ///
-    /// At a pixel N and L are sums of their values there with no negative weight, so N.L < 0.
-    pub fn is_behind(&self, light: DVec3, normals: &Affine) -> bool {
-        const END: f64 = 1.0 + 2.0 * OVERSHOOT;
-        const CORNERS: [[f64; 2]; 4] = [[-END, -END], [END, -END], [-END, END], [END, END]];
-        let normals = CORNERS.map(|[u, v]| normals.at(u, v));
-        CORNERS.iter().all(|corner| {
-            let to_light = light - self.from_eye(*corner);
-            normals.iter().all(|normal| normal.dot(to_light) < 0.0)
-        })
     }
 
     /// Twice the weight of the first triangle's corner that is not on the diagonal: zero on the diagonal, and below zero on

@@ -14,7 +14,7 @@ pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) 
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// A set of the four squares, a bit each.
+/// A set of the four squares that are prepared together: bit i stands for square i.
 pub type Squares = u64;
 
 /// Whether a square is in a set.
@@ -57,7 +57,8 @@ impl LaneLayout {
         x * lanes(&of.dx) + (y * lanes(&of.dy) + lanes(&of.centre))
     }
 
-    /// A number in the lanes of a set of squares, zero elsewhere. Under `Pixels` the square is in the set.
+    /// `number` in the lanes of the squares of `set`, 0 in the others. The square of [`LaneLayout::Pixels`] must be in `set`:
+    /// callers have asked [`LaneLayout::any`].
     #[inline(always)]
     pub fn within<S: Simd>(self, simd: S, set: Squares, number: f32) -> f32x16<S> {
         let number = f32x16::splat(simd, number);
@@ -65,7 +66,10 @@ impl LaneLayout {
             LaneLayout::Nodes => {
                 mask32x16::from_bitmask(simd, set * 0x1111).select(number, f32x16::splat(simd, 0.0))
             }
-            LaneLayout::Pixels(_) => number,
+            LaneLayout::Pixels(square) => {
+                debug_assert!(has(set, square));
+                number
+            }
         }
     }
 }

@@ -62,13 +62,12 @@ pub struct FaceLight {
 }
 
 impl FaceLight {
-    /// Overwrites it with a light on a face. `most` is 0 if it lights no pixel of it.
-    fn set(&mut self, face: &Face, normals: &Affine, surface: &Surface, light: &PointLight) {
+    /// Overwrites it with a light on a face. `most` is 0 if it adds nothing to the face.
+    fn set(&mut self, face: &Face, surface: &Surface, light: &PointLight) {
         let position = light.position - face.rays.lens.eye;
         let coefficients = surface.coefficients(light);
         self.most = coefficients.map(DVec3::max_element);
-        if self.most == [0.0; 2] || face.is_behind(position, normals) {
-            self.most = [0.0; 2];
+        if self.most == [0.0; 2] {
             return;
         }
         self.by_pixel = face.towards(position, light.position - surface.centre);
@@ -100,7 +99,7 @@ pub struct Phong<'a> {
 }
 
 impl<'a> Phong<'a> {
-    /// A face with these normals; `lights` is overwritten with the lights that reach it.
+    /// A face with these normals; `lights` is overwritten with the lights that may add to it.
     pub fn new(
         face: &'a Face,
         normals: Affine,
@@ -113,7 +112,7 @@ impl<'a> Phong<'a> {
         // Lights are overwritten in place. To copy new ones takes 2 % of the time of many small cuboids.
         lights.resize(points.len(), FaceLight::default());
         for (light, point) in lights.iter_mut().zip(points) {
-            light.set(face, &normals, &surface, point);
+            light.set(face, &surface, point);
         }
         lights.retain(|light| light.most != [0.0; 2]);
         Phong {

@@ -149,7 +149,10 @@ pub struct Scratch {
     pub to_lights: Vec<[DVec3; 4]>,
     pub pixels: Pixels,
     pub counts: Counts,
-    /// Of a strip: a bit for each pixel that is covered, and the nearness of the visible pieces, stale where no id is set.
+    /// One bit a pixel of a strip: covered so far.
     pub covered: Vec<u64>,
+    /// Nearness of the visible piece at each pixel of a strip; meaningless where the id is [`TriangleId::NONE`].
+    ///
+    /// [`TriangleId::NONE`]: crate::components::TriangleId::NONE
     pub depths: Vec<f64>,
 }

@@ -115,7 +115,7 @@ pub fn covered<S: Simd>(
     first: [i32; 2],
     rows: usize,
 ) -> [u32; SMALL] {
-    debug_assert!(is_convex(corners));
+    debug_assert!(is_convex(corners) && rows <= SMALL);
     let lanes = i32x16::from_fn(simd, |lane| lane as i32);
     // Twice the signed area between a pixel's centre and an edge. It is not negative inside. On a right or bottom
     // edge 1 is subtracted, so that the edge itself is outside. Coordinates are from the centre of the first pixel, so no
