@@ -19,7 +19,8 @@
 //!
 //! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
 //! [`scene::SceneRecord::of`] takes it from a world. serde reads it from a TOML file and writes it to JSON, and
-//! [`scene::updated`] saves it into the file's text, comments kept.
+//! [`scene::updated`] saves it into the file's text, comments kept. [`scene::key`] addresses any of its values by name, such as
+//! `light.white.intensity`: options, tooltips and the words of undo do.
 //! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large and how
 //! precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
 //!
@@ -166,7 +167,7 @@
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
 //! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
-//!   `assets/scenes/cuboid.toml`, which is its tooltip;
+//!   its table of `assets/scenes/cuboid.toml`, which is its tooltip;
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
 //!   `window/actions.rs` that writes components; help and tooltips show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`; in `cli.rs`, a row of

@@ -10,6 +10,7 @@
 
 mod check;
 mod error;
+pub mod key;
 mod record;
 mod save;
 mod world;
@@ -183,9 +184,8 @@ pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Fails unless `name` is among the `names` of a `kind`, and then lists at most twenty of them.
+/// Fails unless `name` is among the `names` of a `kind`, and then lists them.
 fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
-    const MAX_LISTED: usize = 20;
     if names.iter().any(|known| known == name) {
         return Ok(());
     }
@@ -193,11 +193,15 @@ fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
         !names.is_empty(),
         "no {kind} is named {name:?}; the scene has no {kind}s"
     );
-    let listed = names.iter().take(MAX_LISTED);
-    let mut listed: Vec<String> = listed.map(|name| format!("{name:?}")).collect();
-    if names.len() > MAX_LISTED {
-        listed.push(format!("{} more", names.len() - MAX_LISTED));
-    }
-    let listed = listed.join(", ");
+    let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+    let listed = listed(&quoted);
     bail!("no {kind} is named {name:?}; the scene's {kind}s are {listed}")
+}
+
+/// A list of at most twenty names.
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 20;
+    let more = names.len().checked_sub(MOST).filter(|more| *more > 0);
+    let more = more.map_or_else(String::new, |more| format!(", {more} more"));
+    names[..names.len().min(MOST)].join(", ") + &more
 }

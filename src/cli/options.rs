@@ -9,13 +9,15 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, RangedU64ValueParser, TypedValueParser};
 use fearless_simd::Level;
 use serde::de::DeserializeOwned;
+use toml::Value;
 
 use super::failure::Failure;
 use crate::components::range::Milliseconds;
 use crate::components::{Projection, ShadingMode, Viewer, overwrite, viewer_mut};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, check_place};
-use crate::scene::{BUILT_IN, MAX_SIDE, Scene};
+use crate::scene::key::{self, Key};
+use crate::scene::{BUILT_IN, MAX_SIDE, Scene, SceneRecord};
 use crate::simd;
 
 /// The scene and the view on the command line.
@@ -24,6 +26,9 @@ pub struct DrawingOptions {
     /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME
     #[arg(value_name = "SCENE", default_value = BUILT_IN[0].0)]
     pub scene: PathBuf,
+    /// Changes a number or a setting of the scene, such as light.white.on=false; it can be given several times
+    #[arg(long, value_name = "KEY=VALUE", value_parser = key::assignment)]
+    pub set: Vec<(Key, Value)>,
     /// The camera of the scene [default: as the scene says]
     #[arg(long, value_name = "NAME")]
     pub camera: Option<String>,
@@ -78,6 +83,10 @@ impl DrawingOptions {
         }
         if let Some(path) = &scene.path {
             refuse_to_replace(path, output)?;
+        }
+        if !self.set.is_empty() {
+            let record = key::set(&SceneRecord::of(&scene.world), &self.set);
+            scene.world = record.map_err(Failure::Usage)?.spawn();
         }
         if let Some(name) = &self.camera {
             scene.look_from(name).map_err(Failure::Usage)?;

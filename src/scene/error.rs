@@ -1,4 +1,4 @@
-//! Messages about scene files, with the place of the mistake.
+//! Reading a TOML file, and messages about it with the place of the mistake.
 //!
 //! ```text
 //! scene.toml:7:8: invalid value: -4.0, expected a number from 1e-100 to 1e100
@@ -9,9 +9,52 @@
 
 use std::ops::Range;
 
+use serde::de::DeserializeOwned;
+
+/// The types in messages of serde, and what users call them.
+const TYPES: [(&str, &str); 5] = [
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number from 0"),
+    ("expected usize", "expected a whole number from 0"),
+    ("wanted string or table", "invalid type, expected a string"),
+    ("expected a sequence", "expected an array"),
+];
+
 /// In characters. Longer lines and messages are cut.
 const WIDEST_LINE: usize = 100;
 const WIDEST_MESSAGE: usize = 400;
+
+/// Reads a text.
+///
+/// # Errors
+/// The bytes of the mistake, and the message.
+pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, (Range<usize>, String)> {
+    let located = |key: String, error: toml::de::Error| {
+        let span = error.span().unwrap_or_default();
+        let message = match text.get(span.clone()) {
+            Some(header @ ("[cuboid]" | "[light]" | "[camera]")) => {
+                format!("{header} is one of several tables, expected [{header}]")
+            }
+            _ => key + &in_words(error.message()),
+        };
+        (span, message)
+    };
+    let document = toml::Deserializer::parse(text);
+    let document = document.map_err(|error| located(String::new(), error))?;
+    serde_path_to_error::deserialize(document).map_err(|error| {
+        let key = match error.path().to_string() {
+            root if root == "." => String::new(),
+            key => format!("`{key}`: "),
+        };
+        located(key, error.into_inner())
+    })
+}
+
+/// A message of serde in the words of users.
+pub fn in_words(message: &str) -> String {
+    let in_words = |message: String, (name, words)| message.replace(name, words);
+    TYPES.into_iter().fold(message.to_owned(), in_words)
+}
 
 /// The message about a mistake in these bytes of a text: the name `file` of the text, line and column from 1, the first line
 /// of the mistake, and carets below it.

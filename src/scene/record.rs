@@ -8,17 +8,9 @@ use std::ops::Range;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+use super::error;
 use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
 use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer};
-
-/// The types in messages of serde, and what users call them.
-const TYPES: [(&str, &str); 5] = [
-    ("expected f64", "expected a number"),
-    ("expected u32", "expected a whole number from 0"),
-    ("expected usize", "expected a whole number from 0"),
-    ("wanted string or table", "invalid type, expected a string"),
-    ("expected a sequence", "expected an array"),
-];
 
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -130,27 +122,7 @@ impl SceneRecord {
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let located = |key: String, error: toml::de::Error| {
-            let span = error.span().unwrap_or_default();
-            let in_words = |message: String, (name, words)| message.replace(name, words);
-            let message = match text.get(span.clone()) {
-                Some(header @ ("[cuboid]" | "[light]" | "[camera]")) => {
-                    format!("{header} is one of several tables, expected [{header}]")
-                }
-                _ => TYPES.into_iter().fold(key + error.message(), in_words),
-            };
-            (span, message)
-        };
-        let document = toml::Deserializer::parse(text);
-        let document = document.map_err(|error| located(String::new(), error))?;
-        let record = serde_path_to_error::deserialize(document);
-        let record: SceneRecord = record.map_err(|error| {
-            let key = match error.path().to_string() {
-                root if root == "." => String::new(),
-                key => format!("`{key}`: "),
-            };
-            located(key, error.into_inner())
-        })?;
+        let record: SceneRecord = error::read(text)?;
         record
             .check()
             .map_err(|mistake| (mistake.span(text), mistake.to_string()))?;

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use egui::util::undoer::Undoer;
 use egui::{Event, Key, Ui};
-use serde_json::{Value, json};
 
 use super::app::App;
 use super::history::State;
@@ -14,6 +13,7 @@ use crate::components::{
 };
 use crate::drawing::camera_name;
 use crate::scene::SceneRecord;
+use crate::scene::key;
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
@@ -203,9 +203,7 @@ impl App {
         let mut record = SceneRecord::clone(&found.0);
         record.view = found.view_as(&present.0.view);
         self.restore(&record);
-        let change = difference(&json!(*present.0), &json!(record));
-        let change = change.unwrap_or_else(|| "several changes".to_owned());
-        self.say(format!("{verb}: {change}"));
+        self.say(format!("{verb}: {}", change(&present.0, &record)));
     }
 
     /// Folds the panel, or opens it in the place of the inspector that hides it.
@@ -233,64 +231,15 @@ impl App {
     }
 }
 
-/// The difference between two records as JSON, in words: "light white on", "shading of several cuboids", "tolerance". `None`
-/// if they differ in several things.
-pub(super) fn difference(before: &Value, after: &Value) -> Option<String> {
-    let patch = json_patch::diff(&by_name(before.clone()), &by_name(after.clone()));
-    let paths = patch.iter().map(|change| {
-        let keys = change.path().tokens().map(|key| key.decoded().into_owned());
-        // Without the places of the numbers of a vector. The name of an entity may be a number.
-        let keys = keys
-            .enumerate()
-            .filter(|(depth, key)| *depth == 1 || key.parse::<u8>().is_err());
-        keys.map(|(_, key)| key).collect::<Vec<String>>()
-    });
+/// The key of the values that differ, in words.
+fn change(before: &SceneRecord, after: &SceneRecord) -> String {
+    let keys = key::differences(before, after);
     // The sides of a wipe follow the tolerance and the view, which name the change.
-    let (sides, others): (Vec<_>, Vec<_>) = paths.partition(|path| path[..] == ["sides"]);
-    let mut paths = if others.is_empty() { sides } else { others }.into_iter();
-    let mut words = paths.next().unwrap_or_default();
-    let mut last = words.last().cloned();
-    let mut are_entities = words.len() == 2;
-    for path in paths {
-        are_entities &= path.len() == 2;
-        let common = words
-            .iter()
-            .zip(&path)
-            .take_while(|(one, other)| one == other);
-        words.truncate(common.count());
-        last.take_if(|last| path.last() != Some(last));
-    }
-    Some(match (&*words, last) {
-        ([kind, name, ..], _) if name.starts_with(kind) => words[1..].join(" "),
-        ([_, _, ..], _) => words.join(" "),
-        ([only], Some(key)) if *only == key => key,
-        ([kind], Some(key)) => format!("{key} of several {kind}s"),
-        ([kind], None) if are_entities => format!("{kind} name"),
-        _ => return None,
-    })
-}
-
-/// A record with its entities by name in place of lists, and with the keys of the view beside those.
-fn by_name(mut record: Value) -> Value {
-    for kind in ["cuboid", "light", "camera"] {
-        if let Value::Array(all) = record[kind].take() {
-            let name = |it: &Value| it["name"].as_str().unwrap_or_default().to_owned();
-            record[kind] = all.into_iter().map(|it| (name(&it), it)).collect();
-        }
-    }
-    if let Value::Object(view) = record["view"].take() {
-        for (key, value) in view {
-            let key = match &*key {
-                "show" => "view",
-                // The list of cameras has the name of its kind.
-                "camera" => "active camera",
-                key => key,
-            };
-            record[key] = json!(value.to_string());
-        }
-    }
-    record["background"] = json!(record["background"].to_string());
-    record
+    let (sides, others): (Vec<_>, Vec<_>) = keys.into_iter().partition(|it| it.is_of("view.sides"));
+    let keys = if others.is_empty() { sides } else { others };
+    let common = keys.into_iter().reduce(|one, other| one.common(&other));
+    let common = common.filter(|it| !it.is_of("*"));
+    common.map_or_else(|| "several changes".to_owned(), |key| key.to_string())
 }
 
 /// Whether a key presses or moves the widget with the focus, or goes to the next one.

@@ -1,6 +1,7 @@
 //! Scene files: reading, mistakes, the world that they become, and saving without loss.
 
 mod errors;
+mod keys;
 pub mod random;
 mod read;
 mod record;

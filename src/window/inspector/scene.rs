@@ -10,8 +10,8 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::components::names;
-use crate::scene::{BUILT_IN, SceneRecord};
-use crate::window::actions::difference;
+use crate::scene::SceneRecord;
+use crate::scene::key::Key;
 use crate::window::app::{App, EntityPlace};
 use crate::window::widgets::{color_button, number};
 
@@ -61,7 +61,8 @@ impl App {
             return;
         };
         let own = &mut all[place];
-        Grid::new("table").show(ui, |ui| row(ui, "", own));
+        let key = Key::from(kind).child(own["name"].as_str().unwrap_or_default());
+        Grid::new("table").show(ui, |ui| row(ui, &key, own, &self.state));
         if kind == "light" {
             place_light(own);
         }
@@ -86,17 +87,16 @@ impl App {
             lights.push(copy("light", lights, &new_light()));
         }
         ui.separator();
-        Grid::new("scene").show(ui, |ui| row(ui, "background", &mut scene["background"]));
+        let key = Key::from("background");
+        let background = &mut scene["background"];
+        Grid::new("scene").show(ui, |ui| row(ui, &key, background, &self.state));
         if scene != before {
             match edited(&scene) {
                 Ok(record) => {
                     self.restore(&record);
                     self.desk.message = None;
                 }
-                Err(error) => self.say(match difference(&before, &scene) {
-                    Some(key) => format!("{key}: {error}"),
-                    None => error.to_string(),
-                }),
+                Err(error) => self.say(error.to_string()),
             }
         }
     }
@@ -111,7 +111,7 @@ impl App {
 
 /// The record of an edited scene, if the scene format allows it.
 fn edited(scene: &Value) -> anyhow::Result<SceneRecord> {
-    let record = SceneRecord::deserialize(scene)?;
+    let record: SceneRecord = serde_path_to_error::deserialize(scene)?;
     record.check()?;
     Ok(record)
 }
@@ -185,18 +185,18 @@ fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
 }
 
 /// A row for the value of a key. A table has a row for each of its keys.
-fn row(ui: &mut Ui, key: &str, value: &mut Value) {
+fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord) {
     if let Value::Object(table) = value {
         return table
             .iter_mut()
-            .for_each(|(key, value)| row(ui, key, value));
+            .for_each(|(name, value)| row(ui, &key.child(name), value, record));
     }
     ui.horizontal(|ui| {
-        let label = ui.label(key);
-        if let Some(comment) = comment(key) {
-            label.on_hover_text(comment);
-        }
-        if COLORS.contains(&key) && value.is_array() {
+        ui.label(key.last()).on_hover_ui(|ui| {
+            ui.label(key.comment().unwrap_or_default());
+            ui.weak(key.range(record).unwrap_or_default());
+        });
+        if COLORS.contains(&key.last()) && value.is_array() {
             let mut color = DVec3::deserialize(&*value).unwrap_or_default();
             color_button(ui, &mut color);
             *value = json!(color);
@@ -204,9 +204,9 @@ fn row(ui: &mut Ui, key: &str, value: &mut Value) {
     });
     ui.horizontal(|ui| match value {
         Value::Bool(on) => drop(ui.checkbox(on, "")),
-        Value::String(name) if key == "name" => name_field(ui, name),
+        Value::String(name) if key.last() == "name" => name_field(ui, name),
         Value::String(text) => {
-            let choices = CHOICES.iter().find(|(own, _)| *own == key);
+            let choices = CHOICES.iter().find(|(own, _)| *own == key.last());
             for choice in choices.into_iter().flat_map(|it| it.1) {
                 ui.selectable_value(text, (*choice).to_owned(), *choice);
             }
@@ -221,14 +221,6 @@ fn number_field(ui: &mut Ui, value: &mut Value) {
     let mut float = value.as_f64().unwrap_or_default();
     number(ui, &mut float, ANY);
     *value = json!(float);
-}
-
-/// The comment on a key in the default scene, which explains each key where it stands first.
-fn comment(key: &str) -> Option<&'static str> {
-    let (_, text) = BUILT_IN[0];
-    let mut lines = text.lines().map(|line| line.trim_start_matches("# "));
-    let line = lines.find(|line| line.split(" = ").next() == Some(key))?;
-    line.split_once("# ").map(|(_, comment)| comment)
 }
 
 /// A text field for a name. The name changes when the field loses the focus.

@@ -25,6 +25,9 @@ const FAILURES: &str = r#"
 2  --camera 3  ->  "3"|"1", "2"
 2  view bench-far --lights white,blue  ->  "blue"|"white", "red"
 2  render -o b.png --lights white,,red  ->  no light is named ""
+2  render -o b.png --set light.white.intensty=1  ->  intensty|intensity, gain
+2  render -o b.png --set light.white.gain=-1  ->  light.white.gain|from 0.0 to 1e30
+2  render -o b.png --set light.white.on  ->  KEY=VALUE
 2  extremes nowhere  ->  "nowhere"|`shadetrade extremes`
 2  probe --pixel 960,0  ->  960,0|959,719
 2  probe --pixel 0,720  ->  0,720|959,719

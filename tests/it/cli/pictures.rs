@@ -38,6 +38,10 @@ fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
     assert_eq!(small(&own), expected);
     let back = format!("{own} --camera 1 --projection perspective --tolerance 0.5");
     assert_eq!(small(&back), usual);
+    let set = "--set view.camera=\"2\" --set view.projection=orthographic --set view.tolerance=4";
+    assert_eq!(small(set), expected);
+    let back = format!("{set} --camera 1 --projection perspective --tolerance 0.5");
+    assert_eq!(small(&back), usual);
     let turned = small(&scene("turned = 90"));
     assert_ne!(turned, usual);
     assert_eq!(small(&scene("turned = 90\nshow = \"wipe\"")), turned);

@@ -105,22 +105,22 @@ fn undo_does_not_change_rotation_and_tab() {
 fn an_undone_change_is_named() {
     type Change = fn(&mut SceneRecord);
     let changes: [(Change, &str); 8] = [
-        (|it| it.light[1].intensity = 3.0, "light red intensity"),
+        (|it| it.light[1].intensity = 3.0, "light.red.intensity"),
         (
             |it| it.light.iter_mut().for_each(|it| it.on = false),
-            "on of several lights",
+            "light.*.on",
         ),
-        (|it| drop(it.light.remove(0)), "light white"),
-        (|it| it.camera[0].name = "c".to_owned(), "camera name"),
-        (|it| it.cuboid[0].size *= 2.0, "cuboid emerald size"),
-        (|it| it.background.x = 3.0, "background"),
+        (|it| drop(it.light.remove(0)), "light.white"),
+        (|it| it.camera[0].name = "c".to_owned(), "camera.*"),
+        (|it| it.cuboid[0].size *= 2.0, "cuboid.emerald.size.*"),
+        (|it| it.background.x = 3.0, "background.r"),
         (
             |it| (it.light[1].gain, it.background.x) = (2.0, 3.0),
             "several changes",
         ),
         (
             |it| (it.view.tolerance, it.view.sides) = (1.0, Side::gouraud_phong(1.0)),
-            "tolerance",
+            "view.tolerance",
         ),
     ];
     for (change, words) in changes {

@@ -258,6 +258,28 @@ fn entities_are_copied_renamed_and_deleted() {
 }
 
 #[test]
+fn a_number_s_tooltip_is_the_comment_of_its_own_key() {
+    let mut harness = open();
+    press(&mut harness, Key::E);
+    for (entity, label, own) in [
+        ("emerald", "position", "centre"),
+        ("white", "position", "shines from"),
+        ("1", "position", "the eye"),
+        ("1", "fov", "at most 179.0"),
+    ] {
+        click_inside(&mut harness, entity);
+        let rows = harness.query_all_by(|node| node.role() == Role::Label);
+        let mut rows = rows.filter(|it| it.accesskit_node().value().as_deref() == Some(label));
+        let at = rows.next_back().expect("a row").rect().center();
+        drop(rows);
+        harness.hover_at(at);
+        harness.run_steps(8);
+        let is_shown = harness.query_by_label_contains(own).is_some();
+        assert!(is_shown, "{label} of {entity}");
+    }
+}
+
+#[test]
 fn numbers_are_typed_within_their_range() {
     let mut harness = open();
     press(&mut harness, Key::E);

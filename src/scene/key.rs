@@ -1,0 +1,287 @@
+//! Keys: any number or setting of a scene by its name.
+//!
+//! ```text
+//! cuboid.emerald.size.x    light."key light".on    camera.1.orbit.zoom    background.g    view.tolerance
+//! ```
+//! A key is a path in the [`SceneRecord`] as TOML. An entity has its name there; the numbers of a vector are x, y and z, those of
+//! a colour r, g and b. serde says what a value may be, and a comment of the default scene explains it.
+
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::LazyLock;
+
+use anyhow::{anyhow, bail};
+use serde::Deserialize;
+use toml::{Table, Value};
+
+use super::error::in_words;
+use super::record::SceneRecord;
+use super::{BUILT_IN, listed};
+
+/// The lists of entities.
+const KINDS: [&str; 3] = ["cuboid", "light", "camera"];
+
+/// The comments of the default scene, by keys without the names of entities.
+static COMMENTS: LazyLock<Vec<(String, &str)>> = LazyLock::new(|| comments(BUILT_IN[0].1));
+
+/// The key of a value, or of a table or an array of values.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Key(Vec<String>);
+
+impl From<&str> for Key {
+    /// Reads a dotted key of TOML. A name needs quotes only for a dot or a space.
+    fn from(text: &str) -> Key {
+        let parts = toml_edit::Key::parse(text);
+        let parts = parts.map(|parts| parts.iter().map(|it| it.get().to_owned()).collect());
+        Key(parts.unwrap_or_else(|_| text.split('.').map(str::to_owned).collect()))
+    }
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let is_special = |it: char| it.is_whitespace() || it.is_control() || ".=\"'#".contains(it);
+        let quoted = |part: &String| {
+            let needs_quotes = part.is_empty() || part.contains(is_special);
+            needs_quotes.then(|| toml_edit::Key::new(part).to_string())
+        };
+        let parts = self
+            .0
+            .iter()
+            .map(|it| quoted(it).unwrap_or_else(|| it.clone()));
+        formatter.write_str(&parts.collect::<Vec<_>>().join("."))
+    }
+}
+
+/// Reads `KEY=VALUE`. The value is one of TOML, a whole number of any size, or a bare word, which is a string.
+///
+/// # Errors
+/// If there is no `=`.
+pub fn assignment(text: &str) -> Result<(Key, Value), &'static str> {
+    let is_outside = |(at, _): &(usize, &str)| text[..*at].matches('"').count().is_multiple_of(2);
+    let found = text.match_indices('=').find(is_outside);
+    let (at, _) = found.ok_or("it is KEY=VALUE, such as light.white.on=false")?;
+    let (key, value) = (text[..at].trim(), text[at + 1..].trim());
+    let large = || value.parse().ok().map(Value::Float);
+    let read = value.parse().ok().or_else(large);
+    Ok((Key::from(key), read.unwrap_or_else(|| Value::from(value))))
+}
+
+/// A scene with other values.
+///
+/// # Errors
+/// If there is no such key, or a value is not legal.
+pub fn set(record: &SceneRecord, values: &[(Key, Value)]) -> anyhow::Result<SceneRecord> {
+    let mut changed = record.clone();
+    for (key, value) in values {
+        key.write(&mut changed, value.clone())?;
+    }
+    changed.check()?;
+    Ok(changed)
+}
+
+impl Key {
+    /// A key below this one.
+    #[must_use]
+    pub fn child(&self, part: &str) -> Key {
+        Key([&self.0[..], &[part.to_owned()]].concat())
+    }
+
+    /// Its last part.
+    pub fn last(&self) -> &str {
+        self.0.last().map_or("", |it| it)
+    }
+
+    /// Whether it is another key or below it.
+    pub fn is_of(&self, other: &str) -> bool {
+        self.0.starts_with(&Key::from(other).0)
+    }
+
+    /// The value in a scene; `None` if it is optional and left out.
+    ///
+    /// # Errors
+    /// If there is no such key.
+    pub fn read(&self, record: &SceneRecord) -> anyhow::Result<Option<Value>> {
+        let mut scene = tree(record);
+        let value = self.find(&mut scene)?;
+        let is_left_out = value.as_table().is_some_and(Table::is_empty);
+        Ok((!is_left_out).then(|| value.clone()))
+    }
+
+    /// Changes the value in a scene. Values that belong together are [checked](SceneRecord::check) after all are written.
+    ///
+    /// # Errors
+    /// If there is no such key, or it may not have this value. The scene stays then.
+    pub fn write(&self, record: &mut SceneRecord, value: Value) -> anyhow::Result<()> {
+        let mut scene = tree(record);
+        *self.find(&mut scene)? = value;
+        let refused = |error: toml::de::Error| anyhow!("{self}: {}", in_words(error.message()));
+        *record = SceneRecord::deserialize(scene).map_err(refused)?;
+        Ok(())
+    }
+
+    /// The legal values, in words, such as "a number from 0.0 to 255.0"; those of an array are for each of its values.
+    pub fn range(&self, record: &SceneRecord) -> Option<String> {
+        let illegal = match self.read(record).ok()? {
+            Some(array @ Value::Array(_)) => {
+                return self.child(self.names(&array).first()?).range(record);
+            }
+            Some(Value::String(_)) => Value::from(""),
+            _ => Value::from(f64::NAN),
+        };
+        let refused = set(record, &[(self.clone(), illegal)]).err()?.to_string();
+        refused.rsplit_once("expected ").map(|it| it.1.to_owned())
+    }
+
+    /// The comment on this key, or on the one above.
+    pub fn comment(&self) -> Option<&'static str> {
+        let of = |key: &str| COMMENTS.iter().find(|it| it.0 == key).map(|it| it.1);
+        let own = self.without_name();
+        of(&own).or_else(|| of(own.rsplit_once('.')?.0))
+    }
+
+    /// The common key of two: parts that differ are `*`.
+    #[must_use]
+    pub fn common(self, other: &Key) -> Key {
+        let common = |(one, other): (String, &String)| {
+            let is_common = one == *other;
+            if is_common { one } else { "*".to_owned() }
+        };
+        Key(self.0.into_iter().zip(&other.0).map(common).collect())
+    }
+
+    /// The place of the value in a scene. A key that is left out gets an empty table.
+    fn find<'a>(&self, mut value: &'a mut Value) -> anyhow::Result<&'a mut Value> {
+        for (depth, part) in self.0.iter().enumerate() {
+            let above = Key(self.0[..depth].to_vec());
+            let names = above.names(value);
+            let Some(place) = names.iter().position(|it| it == part) else {
+                let above = Some(above.to_string()).filter(|_| depth > 0);
+                let above = above.as_deref().unwrap_or("a scene");
+                let names = Some(listed(&names)).filter(|it| !it.is_empty());
+                let names = names.as_deref().unwrap_or("nothing below it");
+                bail!("there is no key {self}; {above} has {names}");
+            };
+            value = match value {
+                Value::Array(all) => &mut all[place],
+                Value::Table(table) => table.entry(part).or_insert(Table::new().into()),
+                // It has no names.
+                value => value,
+            };
+        }
+        Ok(value)
+    }
+
+    /// The parts that may follow this key, which has this value.
+    fn names(&self, value: &Value) -> Vec<String> {
+        match value {
+            Value::Array(all) if self.is_list() => {
+                let name = |entity: &Value| entity["name"].as_str().map(str::to_owned);
+                all.iter().map(|it| name(it).unwrap_or_default()).collect()
+            }
+            Value::Array(all) => {
+                let names = match self.last() {
+                    "background" | "ambient" | "diffuse" | "specular" | "color" => ["r", "g", "b"],
+                    "sides" => ["left", "right", ""],
+                    _ => ["x", "y", "z"],
+                };
+                names
+                    .into_iter()
+                    .take(all.len())
+                    .map(str::to_owned)
+                    .collect()
+            }
+            Value::Table(table) => {
+                let own = self.without_name();
+                let explained = COMMENTS.iter().filter_map(|(key, _)| key.rsplit_once('.'));
+                let left_out = explained.filter(|it| it.0 == own && !table.contains_key(it.1));
+                let left_out = left_out.map(|(_, name)| name.to_owned());
+                table.keys().cloned().chain(left_out).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether it is the key of a list of entities.
+    fn is_list(&self) -> bool {
+        matches!(&self.0[..], [kind] if KINDS.contains(&&**kind))
+    }
+
+    /// The key as in [`COMMENTS`].
+    fn without_name(&self) -> String {
+        let is_name = |place| place == 1 && Key(self.0[..1].to_vec()).is_list();
+        let parts = self
+            .0
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| !is_name(*place));
+        parts
+            .map(|(_, part)| &**part)
+            .collect::<Vec<&str>>()
+            .join(".")
+    }
+
+    /// Adds the keys of the values that differ: itself, or those below.
+    fn compare(self, before: Option<&Value>, after: Option<&Value>, found: &mut Vec<Key>) {
+        if before == after {
+            return;
+        }
+        let [before, after] = [before, after].map(|it| self.children(it));
+        if before.is_empty() || after.is_empty() {
+            return found.push(self);
+        }
+        let [old, new] =
+            [&before, &after].map(|all| all.iter().cloned().collect::<HashMap<_, _>>());
+        for (name, value) in &after {
+            self.child(name)
+                .compare(old.get(name).copied(), Some(value), found);
+        }
+        for (name, value) in before.iter().filter(|it| !new.contains_key(&it.0)) {
+            self.child(name).compare(Some(value), None, found);
+        }
+    }
+
+    /// The values below this key, which has this value.
+    fn children<'a>(&self, value: Option<&'a Value>) -> Vec<(String, &'a Value)> {
+        let names = value
+            .map_or_else(Vec::new, |value| self.names(value))
+            .into_iter();
+        match value {
+            Some(Value::Array(all)) => names.zip(all).collect(),
+            Some(Value::Table(table)) => names
+                .filter_map(|name| Some((name.clone(), table.get(&name)?)))
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// The keys of the values that differ between two scenes. An entity that is new or gone is one key.
+pub fn differences(before: &SceneRecord, after: &SceneRecord) -> Vec<Key> {
+    let mut found = Vec::new();
+    Key::default().compare(Some(&tree(before)), Some(&tree(after)), &mut found);
+    found
+}
+
+/// A record as TOML.
+fn tree(record: &SceneRecord) -> Value {
+    Value::try_from(record).expect("a record has only what TOML has")
+}
+
+/// The comments behind the keys of a scene's text, also behind those that are comments themselves.
+fn comments(text: &'static str) -> Vec<(String, &'static str)> {
+    let mut table = "";
+    let mut comments = Vec::new();
+    for line in text.lines().map(|line| line.trim_start_matches("# ")) {
+        let (code, comment) = line.split_once(" # ").unwrap_or((line, ""));
+        let code = code.trim();
+        if code.starts_with('[') && code.ends_with(']') {
+            table = code.trim_matches(['[', ']']);
+        } else if let Some((name, _)) = code.split_once(" = ")
+            && name.bytes().all(|it| it.is_ascii_lowercase())
+        {
+            let dot = if table.is_empty() { "" } else { "." };
+            comments.push((format!("{table}{dot}{name}"), comment));
+        }
+    }
+    comments
+}

@@ -1,0 +1,211 @@
+//! Keys: any number or setting of a scene is read, written, named and explained by its key.
+
+use proptest::prelude::*;
+use shadetrade::scene::key::{Key, assignment, differences, set};
+use shadetrade::scene::{Scene, SceneRecord};
+
+use super::{LEAST, random};
+use crate::support::cases::config;
+use crate::support::random::Random;
+use crate::support::window::default_scene;
+
+fn default_record() -> SceneRecord {
+    SceneRecord::of(&default_scene().world)
+}
+
+/// The error of an assignment to the default scene.
+fn refused(text: &str) -> String {
+    let (key, value) = assignment(text).expect("an assignment");
+    let error = set(&default_record(), &[(key, value)]).expect_err(text);
+    error.to_string()
+}
+
+#[test]
+fn a_value_is_written_read_and_told_from_all_others() {
+    for text in [
+        "background.b=7",
+        "cuboid.emerald.size.x=7.5",
+        "cuboid.emerald.material.ambient.g=0.25",
+        "cuboid.emerald.material.shininess=100000000000000000000e-20",
+        "cuboid.emerald.shading=phong",
+        "light.white.name=\"key light\"",
+        "light.white.on=false",
+        "light.red.position.z=-1e3",
+        "camera.2.orbit.zoom=2",
+        "camera.1.near = 0.25",
+        "view.tolerance=1.5",
+        "view.projection=orthographic",
+        "view.sides.right=reference",
+        "view.turned=30",
+        "view.budget=2",
+        "view.camera=\"2\"",
+    ] {
+        let (key, value) = assignment(text).expect("an assignment");
+        let record = set(&default_record(), &[(key.clone(), value.clone())]).expect(text);
+        let found = differences(&default_record(), &record);
+        if key.last() == "name" {
+            // One entity is new, and one is gone.
+            assert_eq!(found, ["light.\"key light\"", "light.white"].map(Key::from));
+            continue;
+        }
+        assert_eq!(found, std::slice::from_ref(&key), "{text}");
+        let read = key.read(&record).expect(text).expect("a value");
+        let number = |it: &toml::Value| it.as_float().or(it.as_integer().map(|it| it as f64));
+        assert!(
+            read == value || number(&read) == number(&value),
+            "{text}: {read}"
+        );
+    }
+    let left_out = Key::from("camera.1.near").read(&default_record());
+    assert_eq!(left_out.expect("a key"), None);
+}
+
+#[test]
+fn a_whole_number_of_any_size_is_a_number() {
+    let text = "cuboid.emerald.position.x=100000000000000000000";
+    let assignment = assignment(text).expect("an assignment");
+    let record = set(&default_record(), &[assignment]).expect(text);
+    assert_eq!(record.cuboid[0].position.x, 1e20);
+}
+
+#[test]
+fn a_wrong_key_says_which_there_are_and_a_wrong_value_what_is_legal() {
+    for (text, words) in [
+        (
+            "ligth.white.on=true",
+            "background, cuboid, light, camera, view",
+        ),
+        (
+            "light.withe.on=true",
+            "light has white, red, specular, ambient",
+        ),
+        (
+            "light.white.intensty=1",
+            "name, kind, color, intensity, gain, position, on",
+        ),
+        ("light.white.color.x=1", "light.white.color has r, g, b"),
+        ("cuboid.emerald.size.w=1", "cuboid.emerald.size has x, y, z"),
+        ("camera.1.fov.x=1", "camera.1.fov"),
+        ("camera.1.neer=1", "near"),
+        (
+            "light.white.intensity=-1",
+            "light.white.intensity: invalid value: -1.0, expected a number from 0.0 to 1e30",
+        ),
+        ("light.white.intensity=nan", "NaN"),
+        ("light.white.on=1", "expected a boolean"),
+        ("light.white.kind=diffus", "`diffuse`"),
+        ("light.white.name=red", "`light.name`: "),
+        ("light.ambient.position=[1, 2, 3]", "everywhere"),
+        ("camera.1.target=[7.0, 5.0, 8.0]", "`camera.target`: "),
+        ("view.turned=1.5", "a whole number"),
+        ("light.white=3", "expected a table"),
+    ] {
+        let error = refused(text);
+        assert!(error.contains(words), "{text}: {error}");
+    }
+    assert!(assignment("light.white.on").is_err());
+}
+
+#[test]
+fn values_that_belong_together_are_checked_together() {
+    let values = ["camera.1.target=[7, 5, 8]", "camera.1.position=[0, 0, 0]"];
+    let values = values.map(|text| assignment(text).expect("an assignment"));
+    let record = set(&default_record(), &values).expect("a legal scene");
+    assert_eq!(record.camera[0].target.to_array(), [7.0, 5.0, 8.0]);
+    assert!(set(&default_record(), &values[..1]).is_err());
+}
+
+#[test]
+fn the_key_of_several_has_a_star_where_they_differ() {
+    let common = |one, other| Key::from(one).common(&Key::from(other)).to_string();
+    assert_eq!(common("light.a.on", "light.b.on"), "light.*.on");
+    assert_eq!(
+        common("camera.1.orbit.azimuth", "camera.1.orbit.zoom"),
+        "camera.1.orbit.*"
+    );
+    assert_eq!(common("view.tolerance", "light.b.on"), "*.*");
+}
+
+/// All keys of a record that have one value, made from its JSON.
+fn keys(record: &SceneRecord) -> Vec<Key> {
+    fn walk(key: Key, value: &serde_json::Value, keys: &mut Vec<Key>) {
+        match value {
+            serde_json::Value::Object(table) => {
+                (table.iter()).for_each(|(name, value)| walk(key.child(name), value, keys));
+            }
+            serde_json::Value::Array(all) if all.iter().all(serde_json::Value::is_object) => {
+                for value in all {
+                    let name = value["name"].as_str().expect("a name");
+                    walk(key.child(name), value, keys);
+                }
+            }
+            _ => keys.push(key),
+        }
+    }
+    let mut keys = Vec::new();
+    walk(Key::default(), &serde_json::json!(record), &mut keys);
+    keys
+}
+
+#[test]
+fn every_key_is_explained_in_its_own_table_and_has_its_legal_values() {
+    let record = default_record();
+    for key in keys(&record) {
+        let comment = key.comment().unwrap_or_default();
+        assert!(!comment.is_empty(), "{key}");
+        assert!(key.range(&record).is_some(), "{key}");
+    }
+    let comment = |key: &str| Key::from(key).comment().expect("a comment");
+    assert!(comment("cuboid.emerald.position.x").contains("centre"));
+    assert!(comment("light.white.position").contains("ambient"));
+    assert!(!comment("camera.1.position").contains("centre"));
+    assert!(comment("camera.1.near").contains("cut off"));
+    for (key, legal) in [
+        ("light.white.gain", "a number from 0.0 to 1e30"),
+        ("light.white.position", "a number from -1e100 to 1e100"),
+        ("camera.1.fov", "a number above 0, at most 179.0"),
+        ("view.tolerance", "0 or a number from 0.0001 to 255"),
+        ("light.white.on", "a boolean"),
+        ("cuboid.emerald.shading", "`gouraud` or `phong`"),
+    ] {
+        assert_eq!(
+            Key::from(key).range(&record).as_deref(),
+            Some(legal),
+            "{key}"
+        );
+    }
+}
+
+#[test]
+fn an_entity_that_is_new_or_gone_is_one_difference() {
+    let mut record = default_record();
+    record.light.remove(1);
+    record.camera.reverse();
+    let found = differences(&default_record(), &record);
+    assert_eq!(found, [Key::from("light.red")], "order is no value");
+    let scene = Scene::parse("least", LEAST).expect("a scene");
+    let least = SceneRecord::of(&scene.world);
+    assert_eq!(differences(&least, &least), []);
+}
+
+proptest! {
+    #![proptest_config(config(64))]
+
+    #[test]
+    fn a_key_is_read_as_it_is_written(seed: u64) {
+        let name = random::name(&mut Random(seed));
+        let key = Key::from("light").child(&name).child("on");
+        prop_assert_eq!(Key::from(&*key.to_string()), key, "{:?}", name);
+    }
+
+    #[test]
+    fn every_value_can_be_written_again(record in random::record()) {
+        for key in keys(&record) {
+            let mut same = record.clone();
+            if let Some(value) = key.read(&record).expect("a key") {
+                key.write(&mut same, value).map_err(|error| TestCaseError::fail(error.to_string()))?;
+            }
+            prop_assert_eq!(&same, &record, "{}", key);
+        }
+    }
+}
