@@ -23,7 +23,7 @@ use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::output::Output;
 pub use commands::{
-    DEFAULT_FIGURES, ExtremesOptions, ProbeOptions, ProveOptions, RenderOptions, ReplayOptions,
+    DEFAULT_FIGURES, ExtremesOptions, LessonOptions, ProbeOptions, ProveOptions, RenderOptions,
     RequiresOptions, TradeOptions, ViewOptions,
 };
 pub use failure::Failure;
@@ -59,7 +59,7 @@ pub enum Command {
         after_help = "\
 Examples:
   shadetrade view assignment --camera 2 --shading phong
-  shadetrade view --record lesson.log")]
+  shadetrade view --set light.white.intensity=20")]
     View(ViewOptions),
     /// Draws one picture into a PNG file
     #[command(after_help = "\
@@ -120,21 +120,19 @@ Examples:
 Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at
 tolerance 0 and 0.5; of some scenes in fewer pictures. Exit status 1 if an extreme fails.")]
     Extremes(ExtremesOptions),
-    /// Plays a recording in a window, or draws it into a file
+    /// Plays a lesson in a window, or draws it into a file
     #[command(after_help = "\
 Examples:
-  shadetrade replay lesson.log
-  shadetrade replay lesson.log -o lesson.apng --idle 5
+  shadetrade lesson why-the-plane-stays-dull
+  shadetrade lesson my-lesson.toml -o lesson.apng
 
-In the window Space pauses, Enter ends the replay and leaves its scene to you, and Q quits.
+A lesson is a TOML file with a scene and steps, each a sentence of at most 200 letters and values of keys:
 
-`view --record LOG` writes a recording. It is a text: each line has its seconds, one of `scene`,
-`patch`, `size` and `say`, and JSON. A line such as
-
-  2.5 say \"No vertex lies in the highlight.\"
-
-shows words at the foot of the window; add your own between the lines.")]
-    Replay(ReplayOptions),
+  scene = \"cuboid\"
+  [[step]]
+  say = \"No vertex lies in the highlight.\"
+  set = { cuboid.emerald.shading = \"gouraud\" }")]
+    Lesson(LessonOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "Example:\n  shadetrade completions bash > shadetrade.bash")]
     Completions {
@@ -149,7 +147,6 @@ impl Command {
         let (file, option) = match self {
             Command::Prove(it) if it.json => (&it.output, "--json"),
             Command::Requires(it) if it.json => (&it.output, "--json"),
-            Command::Replay(it) if it.hash => (&it.output, "--hash"),
             // The others have one result, or none on standard output.
             _ => return Ok(()),
         };
@@ -174,7 +171,7 @@ impl Command {
             Command::Prove(options) => options.drawing.workers.threads(),
             Command::Requires(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
-            Command::Replay(options) => options.workers.threads(),
+            Command::Lesson(options) => options.workers.threads(),
             // The reference is not timed, so it may use every core.
             Command::Trade(_) => all_cores(),
             _ => return Ok(()),

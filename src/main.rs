@@ -3,13 +3,13 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 
 use shadetrade::cli::{
-    self, Command, ExtremesOptions, Failure, ProbeOptions, ReplayOptions, ViewOptions,
+    self, Command, ExtremesOptions, Failure, LessonOptions, ProbeOptions, ViewOptions,
 };
-use shadetrade::window::{self, NoDisplay, recording, replay as replaying};
-use shadetrade::{extremes, output, pictures, probe, prove, requires, scene, trade};
+use shadetrade::window::{self, NoDisplay};
+use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -25,7 +25,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     command.start_threads()?;
     match command {
         Command::View(options) => return view(&options),
-        Command::Replay(options) => return replay(&options),
+        Command::Lesson(options) => return lesson(&options),
         Command::Extremes(options) => return extremes(&options),
         Command::Probe(options) => return probe(&options),
         Command::Render(options) => {
@@ -91,7 +91,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let mut drawing = options.drawing.open(None)?;
     options.budget.apply_to(&mut drawing);
     let scene = output::quoted(&drawing.scene.name);
-    let closed = window::run(drawing, options.record.as_deref(), None);
+    let closed = window::run(drawing);
     if let Err(missing) = &closed
         && missing.is::<NoDisplay>()
         && is_plain
@@ -111,29 +111,14 @@ fn advise(error: anyhow::Error, instead: &str) -> anyhow::Error {
     error
 }
 
-/// Plays a recording in a window, or draws it into a file or prints hashes if the options say so.
-fn replay(options: &ReplayOptions) -> Result<(), Failure> {
-    let output = options.output.as_ref();
-    cli::options::refuse_to_replace(&options.log, output)?;
-    let plays = output.is_none() && !options.hash;
-    if plays {
+/// Plays a lesson in a window, or draws it into a file.
+fn lesson(options: &LessonOptions) -> Result<(), Failure> {
+    let Some(output) = &options.output else {
         window::restart_in_fit_environment()?;
-    }
-    let name = options.log.to_string_lossy();
-    let log = scene::read(&options.log, recording::LARGEST)
-        .with_context(|| format!("cannot read the recording {name}"))
-        .and_then(|bytes| recording::Log::read(&name, &bytes, options.idle))
-        .map_err(Failure::Usage)?;
-    if let Some(line) = log.cut_off {
-        output::say(&format!(
-            "warning: {name}:{line}: the last line is cut off and left out"
-        ));
-    }
-    let drawing = log.drawing(options.workers.threads(), options.workers.simd);
-    if plays {
-        let name = output::quoted(&name);
-        let replay = format!("replay {name} -o FILE.apng` draws an animation");
-        return Ok(window::run(drawing, None, Some(&log)).map_err(|error| advise(error, &replay))?);
-    }
-    Ok(replaying::run(&log, drawing, output, options.hash)?)
+        let drawing = options.open()?;
+        let name = output::quoted(&drawing.scene.name);
+        let draw = format!("lesson {name} -o FILE.apng` draws it");
+        return Ok(window::run(drawing).map_err(|error| advise(error, &draw))?);
+    };
+    Ok(window::lesson::draw(options.open()?, output)?)
 }

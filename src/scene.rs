@@ -11,6 +11,7 @@
 mod check;
 mod error;
 pub mod key;
+mod lesson;
 mod record;
 mod save;
 mod world;
@@ -18,11 +19,13 @@ mod world;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use anyhow::{anyhow, bail, ensure};
 use hecs::World;
 
 pub use self::check::{MAX_SIDE, Mistake};
+pub use self::lesson::{LESSONS, Step};
 pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
 pub use crate::components::range;
@@ -58,6 +61,8 @@ pub struct Scene {
     pub text: String,
     /// The entities, spawned in file order.
     pub world: World,
+    /// The steps, if it is a lesson.
+    pub lesson: Arc<[Step]>,
 }
 
 impl Scene {
@@ -75,28 +80,14 @@ impl Scene {
     /// As [`Scene::load`].
     pub fn load_path(path: &Path) -> anyhow::Result<Scene> {
         // A built-in name wins over a file.
-        let mut built_in = BUILT_IN.iter().chain(EXTREMES);
-        if let Some((name, text)) = built_in.find(|(name, _)| path.as_os_str() == *name) {
+        if let Some((name, text)) = built_in(path) {
             return Scene::parse(name, text);
         }
+        if LESSONS.iter().any(|(name, _)| path.as_os_str() == *name) {
+            return Scene::load_lesson(path);
+        }
+        let text = read_text(path, "scene", &BUILT_IN)?;
         let name = path.to_string_lossy();
-        let bytes = read(path, LARGEST).map_err(|cause| {
-            let names = BUILT_IN.map(|(name, _)| name).join(", ");
-            let hint = match cause.kind() {
-                ErrorKind::NotFound => {
-                    format!("; built in are {names} and what `shadetrade extremes` lists")
-                }
-                _ => String::new(),
-            };
-            anyhow!("cannot read the scene {name:?}: {cause}{hint}")
-        })?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let start = error.utf8_error().valid_up_to();
-            let text = String::from_utf8_lossy(error.as_bytes());
-            let mark = start..start + char::REPLACEMENT_CHARACTER.len_utf8();
-            let message = "not UTF-8, expected a text in UTF-8";
-            anyhow!(error::located(&name, &text, &mark, message))
-        })?;
         let scene = Scene::parse(&name, &text)?;
         Ok(Scene {
             path: Some(path.to_path_buf()),
@@ -126,6 +117,7 @@ impl Scene {
             path: None,
             text: String::new(),
             world: record.spawn(),
+            lesson: Arc::default(),
         }
     }
 
@@ -167,6 +159,36 @@ impl Scene {
         viewer_mut(&mut self.world).camera = Some(name.to_owned());
         Ok(())
     }
+}
+
+/// The built-in scene of this name.
+fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
+    let mut scenes = BUILT_IN.iter().chain(EXTREMES);
+    scenes.find(|(name, _)| path.as_os_str() == *name)
+}
+
+/// Reads the file of a scene or a lesson. If it is not there, the error has the names of those built in.
+fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Result<String> {
+    let name = path.to_string_lossy();
+    let bytes = read(path, LARGEST).map_err(|cause| {
+        let names: Vec<&str> = built_in.iter().map(|(name, _)| *name).collect();
+        let hint = match (cause.kind(), kind) {
+            (ErrorKind::NotFound, "scene") => {
+                let names = names.join(", ");
+                format!("; built in are {names} and what `shadetrade extremes` lists")
+            }
+            (ErrorKind::NotFound, _) => format!("; built in are {}", names.join(", ")),
+            _ => String::new(),
+        };
+        anyhow!("cannot read the {kind} {name:?}: {cause}{hint}")
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let start = error.utf8_error().valid_up_to();
+        let text = String::from_utf8_lossy(error.as_bytes());
+        let mark = start..start + char::REPLACEMENT_CHARACTER.len_utf8();
+        let message = "not UTF-8, expected a text in UTF-8";
+        anyhow!(error::located(&name, &text, &mark, message))
+    })
 }
 
 /// Reads a file of at most `largest` MiB. An endless device is refused, too.

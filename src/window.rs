@@ -22,26 +22,24 @@ pub mod input;
 pub mod inspector;
 pub mod keys;
 mod layout;
+pub mod lesson;
 pub mod lights;
 mod panel;
 pub mod pictures;
 mod questions;
-pub mod recording;
-pub mod replay;
 mod screen;
 mod tags;
 pub mod viewport;
 pub mod widgets;
 
-use std::fs::{self, File};
-use std::path::Path;
+use std::fs;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
-use egui::{Key, RawInput};
+use egui::RawInput;
 #[cfg(unix)]
 use signal_hook::{
     consts::{SIGHUP, SIGINT, SIGTERM},
@@ -49,11 +47,8 @@ use signal_hook::{
 };
 
 use crate::drawing::Drawing;
-use crate::output;
 use app::App;
 use display::Display;
-use recording::{Log, Recorder};
-use replay::{Player, is_pressed};
 
 pub use display::{NoDisplay, restart_in_fit_environment};
 
@@ -68,27 +63,15 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
 
-/// Shows `drawing` in a window of its size until the user quits, and records that in a new file if one is named.
-///
-/// A log, which begins with `drawing`, is played until the user quits or takes over. Then the window is as without it. Every
-/// frame has its recorded size; the window opens in the largest.
+/// Shows `drawing` in a window of its size until the user quits.
 ///
 /// # Errors
 /// [`NoDisplay`] before anything else is done. Later, when the window system or the system fails, memory does not
-/// suffice, there is such a file, or changes that were not saved cannot be written.
-pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> anyhow::Result<()> {
-    let size = log.map_or(drawing.size, |log| log.canvas(drawing.size));
-    let mut display = Display::open("shadetrade", size)?;
+/// suffice, or changes that were not saved cannot be written.
+pub fn run(drawing: Drawing) -> anyhow::Result<()> {
+    let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
-    if let Some(path) = recording {
-        output::check_place(path)?;
-        let file = File::create_new(path);
-        let file =
-            file.with_context(|| format!("cannot record to a new file {}", path.display()))?;
-        app.recorder = Some(Recorder::new(file));
-    }
     let start = Instant::now();
-    let mut player = log.map(Player::new);
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
@@ -98,39 +81,26 @@ pub fn run(drawing: Drawing, recording: Option<&Path>, log: Option<&Log>) -> any
     loop {
         let must_end = !display.window.is_open() || ends.load(Ordering::Relaxed);
         if app.quits || must_end {
-            if player.is_some() || app.may_close(must_end)? {
+            if app.may_close(must_end)? {
                 return Ok(());
             }
             due = Duration::ZERO;
         }
-        // A recording has milliseconds.
-        let now = Duration::from_millis(start.elapsed().as_millis() as u64);
+        let now = start.elapsed();
         let has_events = !display.input.events.is_empty();
         if has_events {
             last_event = now;
         }
         let is_resized = std::mem::replace(&mut window, display.size()) != window;
         if has_events || is_resized || now >= due || app.receive(now) {
-            let mut input = RawInput {
+            let input = RawInput {
                 modifiers: display.input.modifiers,
                 events: std::mem::take(&mut display.input.events),
                 ..RawInput::default()
             };
-            if player.is_some() && is_pressed(&input.events, &[Key::Enter]) {
-                player = None;
-                // The edits of the log are not the user's.
-                app.file.saved = Arc::clone(&app.state);
-            }
-            let (mut next, mut size, mut kind) = (Duration::MAX, window, "");
-            if let Some(player) = &mut player {
-                app.quits = is_pressed(&input.events, &[Key::Escape, Key::Q]);
-                next = player.play(&mut app, now, &input.events)?;
-                (size, kind) = (app.size, player.title());
-                input = RawInput::default();
-            }
-            let output = app.step(now, size, input)?;
-            due = now.saturating_add(output.repaint_after).min(next);
-            let new = format!("{kind}{}", app.title());
+            let output = app.step(now, window, input)?;
+            due = now.saturating_add(output.repaint_after);
+            let new = app.title();
             if title != new {
                 title = new;
                 display.window.set_title(&title);

@@ -11,8 +11,10 @@ use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser}
 
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
+use crate::drawing::Drawing;
 use crate::output::Output;
 use crate::prove::{PngPicture, read_png};
+use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade;
 
@@ -25,29 +27,40 @@ pub struct ViewOptions {
     /// The time of a frame.
     #[command(flatten)]
     pub budget: BudgetOption,
-    /// Records all events into a new file, for `replay`
-    #[arg(long, value_name = "LOG", value_parser = path())]
-    pub record: Option<PathBuf>,
 }
 
-/// The options of `replay`.
+/// The options of `lesson`.
 #[derive(Args, Debug)]
-pub struct ReplayOptions {
-    /// The recording
-    #[arg(value_name = "LOG")]
-    pub log: PathBuf,
-    /// The PNG file of the last frame, `-` for standard output; all frames if it ends in .apng [default: play in a window]
+pub struct LessonOptions {
+    /// A built-in lesson, or the file of one
+    #[arg(value_name = "NAME|FILE")]
+    pub lesson: PathBuf,
+    /// The PNG file of the last step, `-` for standard output; all steps if it ends in .apng [default: play in a window]
     #[arg(short, long, value_name = "FILE", value_parser = file(&["png", "apng"]))]
     pub output: Option<Output>,
-    /// Prints the time and a hash of every frame, which is the same at every SIMD level and with any number of threads
-    #[arg(long)]
-    pub hash: bool,
-    /// The longest pause; longer ones are shortened to it, but not below the time to read the words of `say`
-    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "2", allow_negative_numbers = true)]
-    pub idle: Duration,
+    /// The size of the window in pixels, 1x1 to 16384x16384
+    #[arg(long, default_value = "960x720", value_name = "WIDTHxHEIGHT", value_parser = options::size, allow_hyphen_values = true)]
+    pub size: [usize; 2],
     /// The SIMD level and the threads.
     #[command(flatten)]
     pub workers: WorkerOptions,
+}
+
+impl LessonOptions {
+    /// The first step of the lesson.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if it is wrong, or its file is the output. [`Failure::Work`] if the output is in no folder.
+    pub fn open(&self) -> Result<Drawing, Failure> {
+        let scene = Scene::load_lesson(&self.lesson).map_err(Failure::Usage)?;
+        options::check_output(Some(&self.lesson), self.output.as_ref())?;
+        Ok(Drawing {
+            scene,
+            size: self.size,
+            threads: self.workers.threads(),
+            level: self.workers.simd,
+        })
+    }
 }
 
 /// The options of `render`.
@@ -228,7 +241,7 @@ fn file(endings: &'static [&'static str]) -> impl TypedValueParser<Value = Outpu
     })
 }
 
-/// Refuses standard output, which holds neither the files of a folder nor a recording.
+/// Refuses standard output, which does not hold the files of a folder.
 pub(super) fn path() -> impl TypedValueParser<Value = PathBuf> {
     OsStringValueParser::new().try_map(|path| match path.to_str() {
         Some("") => Err("it needs a name"),

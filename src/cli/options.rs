@@ -23,7 +23,7 @@ use crate::simd;
 /// The scene and the view on the command line.
 #[derive(Args, Clone, Debug)]
 pub struct DrawingOptions {
-    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME
+    /// A scene file, or a built-in scene: cuboid, bench-far, bench-close, assignment, extremes/NAME, lessons/NAME
     #[arg(value_name = "SCENE", default_value = BUILT_IN[0].0)]
     pub scene: PathBuf,
     /// Changes a number or a setting of the scene, such as light.white.on=false; it can be given several times
@@ -78,12 +78,7 @@ impl DrawingOptions {
     /// `output` is a directory or in none.
     pub fn open(&self, output: Option<&Output>) -> Result<Drawing, Failure> {
         let mut scene = Scene::load_path(&self.scene).map_err(Failure::Usage)?;
-        if let Some(Output::File(path)) = output {
-            check_place(path)?;
-        }
-        if let Some(path) = &scene.path {
-            refuse_to_replace(path, output)?;
-        }
+        check_output(scene.path.as_deref(), output)?;
         if !self.set.is_empty() {
             let record = key::set(&SceneRecord::of(&scene.world), &self.set);
             scene.world = record.map_err(Failure::Usage)?.spawn();
@@ -131,6 +126,17 @@ impl BudgetOption {
             (viewer.tolerance, viewer.budget) = (Viewer::TOLERANCE, self.budget);
         }
     }
+}
+
+/// Checks that `output` is in a folder and not the file that is read.
+///
+/// # Errors
+/// [`Failure::Usage`] if it is that file, [`Failure::Work`] if it is in no folder.
+pub fn check_output(input: Option<&Path>, output: Option<&Output>) -> Result<(), Failure> {
+    if let Some(Output::File(path)) = output {
+        check_place(path)?;
+    }
+    input.map_or(Ok(()), |input| refuse_to_replace(input, output))
 }
 
 /// Checks that `output` is not the file that is read.
@@ -196,7 +202,7 @@ fn budget(text: &str) -> Result<f64, &'static str> {
     number(text, |it| Milliseconds::RANGE.contains(&it), message)
 }
 
-fn size(text: &str) -> Result<[usize; 2], &'static str> {
+pub(super) fn size(text: &str) -> Result<[usize; 2], &'static str> {
     let is_legal = |size: &[usize; 2]| size.iter().all(|side| (1..=MAX_SIDE).contains(side));
     let size = pair(text, 'x').filter(is_legal);
     size.ok_or("it is WIDTHxHEIGHT in pixels, 1x1 to 16384x16384, such as 960x720")

@@ -55,7 +55,6 @@ impl Orbit {
     /// This orbit moved by these degrees to the right and up, as far as the poles allow. `from` is the camera's own place.
     #[must_use]
     pub fn moved(self, from: &Camera, azimuth: f64, elevation: f64) -> Self {
-        // A recording may hold any number.
         let azimuth = self.azimuth + azimuth % 360.0;
         Orbit {
             // A half turn, which is a tie, stays what it is.

@@ -1,14 +1,10 @@
 //! PNG files of one picture, and animated ones, whose frames store only the rectangle that differs from the frame before.
-//!
-//! A frame smaller than the canvas is placed in its upper left corner on black.
 
 use std::io;
 use std::ops::Range;
 use std::time::Duration;
 
 use png::{BitDepth, BlendOp, ColorType, Compression, Encoder, Filter, Writer};
-
-use crate::memory;
 
 /// A PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
 ///
@@ -52,12 +48,12 @@ fn rgb(pixels: &[u32]) -> io::Result<Vec<u8>> {
 pub struct Animation<'a> {
     writer: Writer<&'a mut Vec<u8>>,
     size: [usize; 2],
-    /// The canvas as it was last shown, 0x00RRGGBB; empty before the first frame.
+    /// The last frame, 0x00RRGGBB; empty before the first.
     last: Vec<u32>,
 }
 
 impl<'a> Animation<'a> {
-    /// Begins an animation of `frames` frames on a canvas of `size` pixels. It is encoded into `file`.
+    /// Begins an animation of `frames` frames of `size` pixels. It is encoded into `file`.
     ///
     /// # Errors
     /// If the header cannot be written.
@@ -72,22 +68,15 @@ impl<'a> Animation<'a> {
         })
     }
 
-    /// Adds a frame of `size` pixels that is shown for `time`, one minute at most.
+    /// Adds a frame that is shown for `time`, one minute at most.
     ///
     /// # Errors
-    /// If the frame cannot be written or the canvas does not fit in memory.
-    pub fn add(&mut self, pixels: &[u32], size: [usize; 2], time: Duration) -> io::Result<()> {
-        let [width, height] = self.size;
-        let mut canvas = memory::reserve_pixels(self.size).map_err(io::Error::other)?;
-        canvas.resize(width * height, 0);
-        let rows = canvas.chunks_exact_mut(width);
-        for (row, drawn) in rows.zip(pixels.chunks_exact(size[0])) {
-            row[..size[0]].copy_from_slice(drawn);
-        }
-        let [columns, rows] = self.changed(&canvas);
+    /// If the frame cannot be written.
+    pub fn add(&mut self, pixels: &[u32], time: Duration) -> io::Result<()> {
+        let [columns, rows] = self.changed(pixels);
         let mut part = Vec::with_capacity(columns.len() * rows.len());
         for row in rows.clone() {
-            part.extend_from_slice(&canvas[row * width..][columns.clone()]);
+            part.extend_from_slice(&pixels[row * self.size[0]..][columns.clone()]);
         }
         let milliseconds = time.as_millis().min(60_000) as u16;
         let [x, y] = [columns.start as u32, rows.start as u32];
@@ -98,7 +87,7 @@ impl<'a> Animation<'a> {
         writer.set_frame_position(x, y)?;
         writer.set_frame_delay(milliseconds, 1000)?;
         writer.write_image_data(&rgb(&part)?)?;
-        self.last = canvas;
+        pixels.clone_into(&mut self.last);
         Ok(())
     }
 
@@ -110,14 +99,14 @@ impl<'a> Animation<'a> {
         Ok(self.writer.finish()?)
     }
 
-    /// The columns and rows in which `canvas` differs from the last one; one pixel if it does not differ.
-    fn changed(&self, canvas: &[u32]) -> [Range<usize>; 2] {
+    /// The columns and rows in which a frame differs from the last one; one pixel if it does not differ.
+    fn changed(&self, pixels: &[u32]) -> [Range<usize>; 2] {
         let [width, height] = self.size;
         if self.last.is_empty() {
             return [0..width, 0..height];
         }
         let (mut columns, mut rows) = (width..0, height..0);
-        for (index, (now, last)) in canvas.iter().zip(&self.last).enumerate() {
+        for (index, (now, last)) in pixels.iter().zip(&self.last).enumerate() {
             if now != last {
                 let [x, y] = [index % width, index / width];
                 columns = columns.start.min(x)..columns.end.max(x + 1);
@@ -140,17 +129,13 @@ mod tests {
     #[test]
     fn a_frame_stores_the_rectangle_that_changed_and_its_time() {
         let mut bytes = Vec::new();
-        let mut animation = Animation::new(&mut bytes, [4, 3], 6).expect("a header");
+        let mut animation = Animation::new(&mut bytes, [4, 3], 4).expect("a header");
         let mut pixels = vec![0; 12];
         for (changed, milliseconds) in [(0, 40), (9, 1500), (6, 70_000), (6, 1)] {
             pixels[changed] += u32::from(milliseconds != 1);
             let time = Duration::from_millis(milliseconds);
-            animation.add(&pixels, [4, 3], time).expect("a frame");
+            animation.add(&pixels, time).expect("a frame");
         }
-        // Black surrounds a smaller frame.
-        let time = Duration::from_millis(1);
-        animation.add(&[7; 2], [2, 1], time).expect("a frame");
-        animation.add(&[0; 12], [4, 3], time).expect("a frame");
         animation.finish().expect("an end");
         let mut reader = png::Decoder::new(Cursor::new(&bytes))
             .read_info()
@@ -160,8 +145,6 @@ mod tests {
             ([1, 2, 1, 1], 1500, 1),
             ([2, 1, 1, 1], 60_000, 1),
             ([0, 0, 1, 1], 1, 1),
-            ([0, 0, 3, 3], 1, 7),
-            ([0, 0, 2, 1], 1, 0),
         ] {
             let mut bytes = [0; 36];
             reader.next_frame(&mut bytes).expect("a frame");

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::bail;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::png::PngPicture;
 use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
@@ -57,7 +57,9 @@ pub fn run(
         "tolerance": view.tolerance,
         "seconds": seconds,
     });
-    json_patch::merge(&mut record, &json!(proof));
+    if let (Some(record), Value::Object(proof)) = (record.as_object_mut(), json!(proof)) {
+        record.extend(proof);
+    }
     let lines = || lines(drawing, &proof, seconds).join("\n");
     print(&record, as_json, map, lines)?;
     if proof.refuted > 0 {

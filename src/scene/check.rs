@@ -1,6 +1,6 @@
 //! The check of names and of values that belong together. serde has checked types and ranges before.
 //!
-//! Records from files, from recordings and from edits in the window pass this check.
+//! Records from files, from lessons and from edits in the window pass this check.
 
 use std::collections::HashSet;
 use std::fmt::Debug;
@@ -33,15 +33,22 @@ type Fault = (&'static str, String);
 impl Mistake {
     /// The bytes of the value in the text, or those of its table if the key is missing.
     pub(super) fn span(&self, text: &str) -> Range<usize> {
-        let span = toml_edit::Document::parse(text).ok().and_then(|document| {
-            let all = document.get(self.kind)?;
-            let table = all.get(self.index).unwrap_or(all);
-            let keys = self.fault.0.split('.');
-            keys.fold(table, |item, key| item.get(key).unwrap_or(item))
-                .span()
-        });
-        span.unwrap_or_default()
+        let keys: Vec<&str> = self.fault.0.split('.').collect();
+        span(text, self.kind, self.index, &keys)
     }
+}
+
+/// The bytes of a value in a text, or those of its table if the key is missing. The table is one of its kind.
+pub fn span(text: &str, kind: &str, index: usize, keys: &[impl AsRef<str>]) -> Range<usize> {
+    let span = toml_edit::Document::parse(text).ok().and_then(|document| {
+        let all = document.get(kind)?;
+        let table = all.get(index).unwrap_or(all);
+        let value = keys
+            .iter()
+            .fold(table, |item, key| item.get(key.as_ref()).unwrap_or(item));
+        value.span()
+    });
+    span.unwrap_or_default()
 }
 
 /// Refuses the value `found` at a key unless it is legal.

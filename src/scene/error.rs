@@ -32,7 +32,7 @@ pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, (Range<usize>, String)
     let located = |key: String, error: toml::de::Error| {
         let span = error.span().unwrap_or_default();
         let message = match text.get(span.clone()) {
-            Some(header @ ("[cuboid]" | "[light]" | "[camera]")) => {
+            Some(header @ ("[cuboid]" | "[light]" | "[camera]" | "[step]")) => {
                 format!("{header} is one of several tables, expected [{header}]")
             }
             _ => key + &in_words(error.message()),

@@ -86,6 +86,11 @@ impl Key {
         Key([&self.0[..], &[part.to_owned()]].concat())
     }
 
+    /// Its parts.
+    pub fn parts(&self) -> &[String] {
+        &self.0
+    }
+
     /// Its last part.
     pub fn last(&self) -> &str {
         self.0.last().map_or("", |it| it)

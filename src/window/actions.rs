@@ -107,6 +107,7 @@ impl App {
                 let is_open = viewer.inspector == Some(tab);
                 viewer.inspector = (!is_open).then_some(tab);
             }
+            Action::Step(steps) => self.step_lesson(steps),
             Action::Undo => self.travel("undo", Undoer::undo),
             Action::Redo => self.travel("redo", Undoer::redo),
             Action::Save => self.save(false),
@@ -244,8 +245,11 @@ fn change(before: &SceneRecord, after: &SceneRecord) -> String {
 
 /// Whether a key presses or moves the widget with the focus, or goes to the next one.
 fn moves_widgets(key: Key) -> bool {
-    use Key::{ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Space};
-    matches!(key, ArrowDown | ArrowLeft | ArrowRight | ArrowUp | Space)
+    use Key::{ArrowDown, ArrowLeft, ArrowRight, ArrowUp, Enter, Space};
+    matches!(
+        key,
+        ArrowDown | ArrowLeft | ArrowRight | ArrowUp | Enter | Space
+    )
 }
 
 /// Whether an action goes on while its key is held.

@@ -1,7 +1,7 @@
 //! The program behind the window, without a display: events and a size in, pixels and effects out.
 //!
 //! ```text
-//! events --> keys, panels --write--> World --SceneRecord--> changed? --> undo, recording, questions
+//! events --> keys, panels --write--> World --SceneRecord--> changed? --> undo, questions
 //!                                      |
 //!                                      '--systems--> picture --copied--> pixels <--painted-- egui
 //! ```
@@ -21,7 +21,6 @@ use super::facts::{Facts, Question, Work, pool};
 use super::file::{INTERVAL, SceneFile};
 use super::history::{State, history};
 use super::pictures::Pictures;
-use super::recording::Recorder;
 use crate::components::{View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
@@ -45,7 +44,6 @@ pub struct App {
     pub pictures: Pictures,
     pub history: Undoer<State>,
     pub file: SceneFile,
-    pub recorder: Option<Recorder>,
     /// The World as it was last written down.
     pub state: Arc<SceneRecord>,
     /// The place of the picture, in points.
@@ -93,6 +91,8 @@ pub struct Desk {
     pub message: Option<(String, Duration)>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
+    /// The step of the lesson, counted from 0.
+    pub step: usize,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityPlace>,
     /// The side of a wipe whose worst pixel is sought, 0 for the picture, until the errors are known.
@@ -127,7 +127,6 @@ impl App {
         Ok(App {
             history: history(&state),
             file: SceneFile::of(&scene),
-            recorder: None,
             scene,
             state,
             facts: Facts::default(),
@@ -212,7 +211,6 @@ impl App {
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
         self.keep_state(ends);
-        self.record(size);
         self.outdate();
         self.hold_time();
         // A budget may be held by another method now.
@@ -281,16 +279,6 @@ impl App {
         self.history.feed_state(self.now.as_secs_f64(), &state);
         if ends_step {
             self.history.add_undo(&state);
-        }
-    }
-
-    /// Writes the state into the recording, if there is one.
-    fn record(&mut self, size: [usize; 2]) {
-        if let Some(recorder) = &mut self.recorder
-            && let Err(error) = recorder.note(self.now, &self.scene.name, &self.state, size)
-        {
-            self.recorder = None;
-            self.say(format!("the recording ends here: {error}"));
         }
     }
 

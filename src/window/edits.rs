@@ -29,11 +29,7 @@ impl App {
     /// The title of the window.
     pub fn title(&self) -> String {
         let star = if self.is_edited() { "*" } else { "" };
-        let recording = match self.recorder {
-            Some(_) => "recording: ",
-            None => "",
-        };
-        format!("{recording}{}{star} - shadetrade", self.scene.name)
+        format!("{}{star} - shadetrade", self.scene.name)
     }
 
     /// Writes unsaved edits into a new file; returns a sentence with its path.
@@ -92,7 +88,7 @@ impl App {
         self.state = Arc::new(SceneRecord::of(&self.scene.world));
         self.history = history(&self.state);
         self.facts = Facts::default();
-        self.desk.selected = None;
+        (self.desk.selected, self.desk.step) = (None, 0);
         self.desk.file_error = None;
         self.work = None;
     }

@@ -40,6 +40,8 @@ pub enum Action {
     Rotate,
     /// Opens and folds the tab of the inspector.
     Tab(Tab),
+    /// Goes to a later step of the lesson.
+    Step(isize),
     Undo,
     Redo,
     Save,
@@ -118,6 +120,8 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
     ("Scene", &[
         ("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
         ("required parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
+        ("next", "The next step of the lesson.", &[(NO, Key::Enter, Action::Step(1))]),
+        ("back", "The step of the lesson before.", &[(NO, Key::Backspace, Action::Step(-1))]),
         ("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),
         ("redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Action::Redo), (CTRL, Key::Y, Action::Redo)]),
         ("save", "Writes the scene and the view to the scene's file.", &[(CTRL, Key::S, Action::Save)]),

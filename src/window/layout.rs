@@ -36,6 +36,9 @@ impl App {
         self.desk.has_both = width >= SHARED * LEAST;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
+        if !self.scene.lesson.is_empty() {
+            Panel::bottom("lesson").show_inside(ui, |ui| self.lesson(ui));
+        }
         let has_inspector = self.viewer().inspector.is_some();
         let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
         let is_shared = has_panel && has_inspector;

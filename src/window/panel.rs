@@ -17,7 +17,7 @@ use crate::components::{
     ordered,
 };
 use crate::drawing::camera_name;
-use crate::scene::{BUILT_IN, EXTREMES, Scene};
+use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene};
 
 const TOLERANCE: [&str; 3] = [
     "tolerance",
@@ -171,7 +171,7 @@ impl App {
         let mut chosen = None;
         let scenes = ComboBox::from_id_salt("scene").selected_text(self.scene.name.clone());
         scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-            for (name, _) in BUILT_IN.iter().chain(EXTREMES) {
+            for (name, _) in BUILT_IN.iter().chain(LESSONS).chain(EXTREMES) {
                 if ui
                     .selectable_label(self.scene.name == *name, *name)
                     .clicked()

@@ -6,11 +6,11 @@ mod errors;
 mod faults;
 mod files;
 mod help;
+mod lessons;
 #[cfg(unix)]
 mod names;
 mod pictures;
 mod proofs;
-mod replays;
 mod requires;
 mod trade;
 

@@ -13,7 +13,7 @@ use shadetrade::components::{
 };
 use shadetrade::report::Monitor;
 use shadetrade::requires::{Change, Part, changes, parts};
-use shadetrade::scene::Scene;
+use shadetrade::scene::{Scene, SceneRecord};
 
 use crate::support::scene::{empty, shine, spawn_cuboid, view};
 
@@ -40,12 +40,9 @@ fn scene_of(mut world: World, view: &View) -> Scene {
         ..Viewer::default()
     };
     world.spawn((viewer, Background(view.background)));
-    Scene {
-        name: "test".to_owned(),
-        path: None,
-        text: String::new(),
-        world,
-    }
+    let mut scene = Scene::spawn("test".to_owned(), &SceneRecord::default());
+    scene.world = world;
+    scene
 }
 
 /// Cubes with edges of 2 under white lights, and a view of them.

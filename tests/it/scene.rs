@@ -2,6 +2,7 @@
 
 mod errors;
 mod keys;
+mod lessons;
 pub mod random;
 mod read;
 mod record;

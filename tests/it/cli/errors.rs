@@ -48,7 +48,6 @@ const FAILURES: &str = r#"
 2  requires -o b.png  ->  b.png|.toml
 2  prove -o - --json  ->  -o and --json|give -o a file
 2  requires -o /dev/stdout --json  ->  -o and --json
-2  replay quit.log -o /dev/fd/1 --hash  ->  -o and --hash
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
 2  trade sub/trade.md -o sub  ->  sub/trade.md is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
@@ -68,15 +67,15 @@ const FAILURES: &str = r#"
 2  prove --picture .  ->  cannot read .
 2  prove --picture drawn.png --size 96x72  ->  --size
 2  prove --picture drawn.png -o drawn.png  ->  the input itself
-# Recordings.
-2  replay absent.log  ->  absent.log
-2  replay quit.log  ->  quit.log:1:|`quit`
-2  replay quit.log -o quit.log  ->  quit.log|.png or .apng
+# Lessons.
+2  lesson absent  ->  absent|built in are lessons/
+2  lesson step.toml  ->  step.toml:4:22: |there is no key light.withe.on|has white, red
+2  lesson step.toml -o step.toml  ->  step.toml|.png or .apng
 # Without a display a scene is found and read, but not shown.
 1  ./render  ->  no display|shadetrade render ./render -o
 1  bench-far  ->  no display|shadetrade render bench-far -o
 1  view --camera 2  ->  no display|shadetrade render cuboid -o
-1  view --record b.log  ->  no display
+1  lesson what-a-tolerance-buys  ->  no display|shadetrade lesson lessons/what-a-tolerance-buys -o
 "#;
 
 #[test]
@@ -89,7 +88,8 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
     put(folder, "render", SCENE);
     put(folder, "bytes.toml", [0xff, 0xfe, 0x00]);
     put(folder, "text.png", "no picture");
-    put(folder, "quit.log", "0.000 quit\n");
+    let step = "scene = \"cuboid\"\n[[step]]\nsay = \"\"\nset.light.withe.on = true";
+    put(folder, "step.toml", step);
     fs::create_dir(folder.join("sub")).expect("it is made");
     put(folder, "sub/trade.md", SCENE);
     assert_works(folder, "render --size 96x72 -o drawn.png");

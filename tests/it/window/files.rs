@@ -8,8 +8,6 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, Queryable};
 use shadetrade::components::Light;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
-use shadetrade::window::recording::Log;
-use shadetrade::window::replay;
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::widgets;
@@ -160,25 +158,12 @@ fn another_scene_takes_no_edits_with_it() {
     let (mut window, _) = on_file();
     edit(&mut window, 3.0);
     let edits = window.record();
-    // A recording that opens another scene keeps no edits.
-    let json = serde_json::to_string(&edits).expect("JSON");
-    let text = format!("0.000 scene {{\"name\":\"other\",\"scene\":{json}}}\n");
-    let log = Log::read("other.log", text.as_bytes(), PAUSE).expect("a recording");
-    replay::play(&mut window.app, &log.frames[0], std::time::Duration::ZERO).expect("it is played");
-    window.wait(PAUSE);
-    assert!(window.app.title().contains("other"));
-    assert_eq!(window.files(), ["mine.toml"]);
-    edit(&mut window, 4.0);
-    let edits = window.record();
     let scene = Scene::load(Some("assignment")).expect("built in");
     window.app.choose(scene);
     window.wait(PAUSE);
     assert!(window.app.title().contains("assignment"));
-    assert_eq!(window.files(), ["mine.toml", "other-unsaved.toml"]);
-    assert_eq!(
-        read(&window.folder.path().join("other-unsaved.toml")),
-        edits
-    );
+    assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
+    assert_eq!(read(&window.folder.path().join("mine-unsaved.toml")), edits);
     window.undo();
     assert_eq!(window.message(), "nothing to undo");
 }
