@@ -18,7 +18,7 @@ const MOST: usize = 100;
 const RADIUS: f32 = 7.0;
 /// The length of a unit vector across the view, in points.
 const UNIT: f32 = 110.0;
-const NORMAL: Color32 = Color32::WHITE;
+const NORMAL: Color32 = Color32::from_rgb(0x9a, 0xe6, 0x4b);
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
 /// The disc of a light.
@@ -106,7 +106,8 @@ impl App {
         }
     }
 
-    /// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view.
+    /// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view, and a legend in the
+    /// corner of the picture.
     pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
         let probed = self.probed().filter(|_| self.facts.section.is_current);
         let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) else {
@@ -114,16 +115,17 @@ impl App {
         };
         let world = &self.scene.world;
         let [right, up, _] = Camera::of(world, active_camera(world)).axes();
-        let arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
+        let mut row = self.place.right_bottom() - vec2(10.0, 14.0);
+        let mut arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
             let Some(vector) = vector else {
                 return;
             };
+            tag(painter, Align2::RIGHT_CENTER, row, name, ink);
+            row.y -= 20.0;
             let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32) * UNIT;
             for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
                 painter.arrow(at, way, (width, ink));
             }
-            let end = at + way + way.normalized() * 12.0;
-            tag(painter, Align2::CENTER_CENTER, end, name, ink);
         };
         let mut places: Vec<DVec3> = Vec::new();
         for light in surface.lights() {
@@ -132,12 +134,13 @@ impl App {
             };
             places.push(to_light);
             let ink = self.light_color(&light.name);
-            arrow("r", ink.gamma_multiply(0.7), light.reflected);
-            arrow("l", ink, Some(to_light));
+            let reflected = format!("r of {}", light.name);
+            arrow(&reflected, ink.gamma_multiply(0.7), light.reflected);
+            arrow(&format!("l to {}", light.name), ink, Some(to_light));
         }
         let sample = surface.sample.as_ref();
-        arrow("o", TO_EYE, sample.map(|it| it.to_eye));
-        arrow("n", NORMAL, sample.map(|it| it.normal));
+        arrow("o to the eye", TO_EYE, sample.map(|it| it.to_eye));
+        arrow("n, the normal", NORMAL, sample.map(|it| it.normal));
     }
 
     /// The colour of the light of this name.
