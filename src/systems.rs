@@ -16,8 +16,11 @@ use crate::components::{Mesh, View};
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
 
-/// The stages of a frame, in order. Each reads components, and overwrites derived ones or the frame.
-pub const FRAME: [fn(&mut World, &View, &mut Frame); 6] = [
+/// A system: reads components, and overwrites derived ones or the frame.
+pub type Stage = fn(&mut World, &View, &mut Frame);
+
+/// The stages of a frame, in order.
+pub const FRAME: [Stage; 6] = [
     spin::run,
     viewpoint::run,
     normals::run,
@@ -34,6 +37,25 @@ pub fn draw(world: &mut World, view: &View, frame: &mut Frame) -> Result<(), Out
     draw_rows(world, view, 0..view.size[1], frame)
 }
 
+/// Draws one frame with other stages than [`FRAME`], such as one more between two of them; `examples/own_system.rs` does so.
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_with(
+    stages: &[Stage],
+    world: &mut World,
+    view: &View,
+    rows: Range<usize>,
+    frame: &mut Frame,
+) -> Result<(), OutOfMemory> {
+    let cuboids = world.query_mut::<&Mesh>().into_iter().count();
+    frame.begin(view.size, rows, cuboids > 1)?;
+    for run in stages {
+        run(world, view, frame);
+    }
+    Ok(())
+}
+
 /// The same, but only these rows of the picture are drawn and held; their pixels are the same bits as in the whole.
 ///
 /// # Errors
@@ -44,10 +66,5 @@ pub fn draw_rows(
     rows: Range<usize>,
     frame: &mut Frame,
 ) -> Result<(), OutOfMemory> {
-    let cuboids = world.query_mut::<&Mesh>().into_iter().count();
-    frame.begin(view.size, rows, cuboids > 1)?;
-    for run in FRAME {
-        run(world, view, frame);
-    }
-    Ok(())
+    draw_with(&FRAME, world, view, rows, frame)
 }

@@ -1,10 +1,17 @@
 //! All stages together.
 
-use shadetrade::components::{Orbit, ShadingMode, View, overwrite, viewer_mut};
+use glam::DVec3;
+use hecs::{Component, Entity, World};
+use shadetrade::components::{
+    FileOrder, Illumination, LightKind, Material, Mesh, Normals, Orbit, Projected, Projection,
+    ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite, viewer_mut,
+};
 use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
+use shadetrade::systems::lighting;
 
-use crate::support::scene::{draw, truth};
+use super::{MATERIAL, ahead, at, empty_frame, light};
+use crate::support::scene::{draw, spawn_cuboid, truth};
 
 #[test]
 fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {
@@ -32,4 +39,62 @@ fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {
     assert_eq!(drawn(&mut scene.snapshot()), expected);
     let mut upright = Scene::load(None).expect("the built-in scene is valid");
     assert_ne!(drawn(&mut upright), expected);
+}
+
+/// A component and the removal of it from an entity.
+type Removal = (&'static str, fn(&mut World, Entity));
+
+/// Removes a component that the entity has.
+fn without<C: Component>(world: &mut World, entity: Entity) {
+    world.remove_one::<C>(entity).expect("it has the component");
+}
+
+#[test]
+fn a_cuboid_that_lacks_a_component_is_drawn_only_without_its_transform() {
+    let removals: [Removal; 9] = [
+        ("FileOrder", without::<FileOrder>),
+        ("Transform", without::<Transform>),
+        ("Mesh", without::<Mesh>),
+        ("Material", without::<Material>),
+        ("ShadingMode", without::<ShadingMode>),
+        ("WorldTransform", without::<WorldTransform>),
+        ("Normals", without::<Normals>),
+        ("VertexColors", without::<VertexColors>),
+        ("Projected", without::<Projected>),
+    ];
+    for (component, remove) in removals {
+        let mut world = World::new();
+        let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(DVec3::ZERO), MATERIAL);
+        remove(&mut world, cuboid);
+        let frame = draw(
+            &mut world,
+            &ahead(Projection::Perspective, [9, 9]),
+            Keep::Levels,
+        );
+        let left = world
+            .entity(cuboid)
+            .expect("it is there")
+            .component_types()
+            .count();
+        // Name is the tenth component. No system adds one.
+        assert_eq!(left, 9, "{component}");
+        // Without a transform it stays where it was placed last.
+        let is_drawn = frame.counts().covered_pixels > 0;
+        assert_eq!(is_drawn, component == "Transform", "{component}");
+    }
+}
+
+#[test]
+fn a_light_without_a_transform_does_not_shine() {
+    for kind in LightKind::ALL {
+        let mut world = World::new();
+        world.spawn((light(kind, 100.0),));
+        let mut frame = empty_frame();
+        lighting::run(
+            &mut world,
+            &ahead(Projection::Perspective, [9, 9]),
+            &mut frame,
+        );
+        assert_eq!(*frame.illumination(), Illumination::default(), "{kind:?}");
+    }
 }
