@@ -94,7 +94,8 @@ fn narrow(
 /// The side of the square of pixels round a small face.
 pub const SMALL: usize = 16;
 
-/// Whether a quadrilateral turns left at each corner, or goes straight on. It has to be within the square of [`covered`].
+/// Whether a quadrilateral turns left at its corners, or goes straight on at some. Corners may coincide; not all may lie on a
+/// line. It has to be within the square of [`covered`].
 #[inline(always)]
 pub fn is_convex(corners: &[[i32; 2]; 4]) -> bool {
     let way = [0, 1, 2, 3].map(|corner| {
@@ -103,7 +104,8 @@ pub fn is_convex(corners: &[[i32; 2]; 4]) -> bool {
     });
     // Down is positive.
     let turn = |[x, y]: [i32; 2], [next_x, next_y]: [i32; 2]| next_x * y - x * next_y;
-    (0..4).all(|corner| turn(way[corner], way[(corner + 1) % 4]) >= 0)
+    let turns = [0, 1, 2, 3].map(|corner| turn(way[corner], way[(corner + 1) % 4]));
+    turns.iter().all(|turn| *turn >= 0) && turns != [0; 4]
 }
 
 /// The pixels that a convex quadrilateral covers in [`SMALL`] columns and `rows` rows that start at pixel `first`: for each row
@@ -118,13 +120,13 @@ pub fn covered<S: Simd>(
     debug_assert!(is_convex(corners) && rows <= SMALL);
     let lanes = i32x16::from_fn(simd, |lane| lane as i32);
     // Twice the signed area between a pixel's centre and an edge. It is not negative inside. On a right or bottom
-    // edge 1 is subtracted, so that the edge itself is outside. Coordinates are from the centre of the first pixel, so no
-    // number exceeds 2^26.
+    // edge 1 is subtracted, so that the edge itself is outside. An edge without length leaves nothing out. Coordinates are from
+    // the centre of the first pixel, so no number exceeds 2^26.
     let edge = inlined!(|from: usize, to: usize| {
         let at = |corner: usize, axis: usize| corners[corner][axis] - 256 * first[axis] - 128;
         let [x, y] = [at(from, 0), at(from, 1)];
         let [run, rise] = [at(to, 0) - x, at(to, 1) - y];
-        let open = rise < 0 || rise == 0 && run >= 0;
+        let open = rise < 0 || rise == 0 && run > 0;
         let start = y * run - x * rise - i32::from(open);
         (lanes * (256 * rise) + start, -256 * run)
     });

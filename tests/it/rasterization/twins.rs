@@ -119,8 +119,10 @@ proptest! {
 
     #[test]
     fn a_small_quadrilateral_turns_left_exactly_if_it_is_convex(
-        corners in prop::array::uniform4(prop::array::uniform2(0..6_i32)),
+        halves in prop::array::uniform4(prop::array::uniform2(0..8_i32)),
     ) {
+        // Corners and centres of pixels.
+        let corners = halves.map(|corner| corner.map(|half| 128 * half));
         let ring = snapped(&corners);
         if is_convex(&corners) {
             // `count` compares the bits of small convex faces with their spans.
@@ -128,8 +130,8 @@ proptest! {
         }
         let is_hull = (0..4).all(|first| {
             let rest = [1, 2, 3].map(|next| corners[(first + next) % 4]);
-            turn([corners[first], rest[0], rest[1]]) >= 0
-                && turn([corners[first], rest[0], rest[2]]) >= 0
+            turn([corners[first], rest[0], rest[1]]) > 0
+                && turn([corners[first], rest[0], rest[2]]) > 0
         });
         prop_assert!(!is_hull || is_convex(&corners));
     }
