@@ -7,6 +7,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 
 use glam::DVec3;
+use toml::de::DeTable;
 
 use super::record::{CameraRecord, LightRecord, SceneRecord};
 use crate::components::range::Length;
@@ -40,15 +41,23 @@ impl Mistake {
 
 /// The bytes of a value in a text, or those of its table if the key is missing. The table is one of its kind.
 pub fn span(text: &str, kind: &str, index: usize, keys: &[impl AsRef<str>]) -> Range<usize> {
-    let span = toml_edit::Document::parse(text).ok().and_then(|document| {
-        let all = document.get(kind)?;
-        let table = all.get(index).unwrap_or(all);
-        let value = keys
-            .iter()
-            .fold(table, |item, key| item.get(key.as_ref()).unwrap_or(item));
-        value.span()
+    let document = DeTable::parse(text).ok();
+    let span = document.as_ref().and_then(|document| {
+        let all = document.get_ref().get(kind)?;
+        let table = all.get_ref().get(index).unwrap_or(all);
+        let keys = keys.iter().map(AsRef::as_ref);
+        let value = keys.fold(table, |it, key: &str| it.get_ref().get(key).unwrap_or(it));
+        Some(value.span())
     });
     span.unwrap_or_default()
+}
+
+/// Whether a table of a text has a key.
+pub fn has(text: &str, table: &str, key: &str) -> bool {
+    DeTable::parse(text).is_ok_and(|document| {
+        let table = document.get_ref().get(table);
+        table.is_some_and(|table| table.get_ref().get(key).is_some())
+    })
 }
 
 /// Refuses the value `found` at a key unless it is legal.

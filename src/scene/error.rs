@@ -11,13 +11,17 @@ use std::ops::Range;
 
 use serde::de::DeserializeOwned;
 
+use super::large;
+
 /// The types in messages of serde, and what users call them.
-const TYPES: [(&str, &str); 5] = [
+const TYPES: [(&str, &str); 7] = [
     ("expected f64", "expected a number"),
     ("expected u32", "expected a whole number from 0"),
     ("expected usize", "expected a whole number from 0"),
     ("wanted string or table", "invalid type, expected a string"),
     ("expected a sequence", "expected an array"),
+    ("type: floating point", "type: number"),
+    ("type: map", "type: table"),
 ];
 
 /// In characters. Longer lines and messages are cut.
@@ -29,25 +33,41 @@ const WIDEST_MESSAGE: usize = 400;
 /// # Errors
 /// The bytes of the mistake, and the message.
 pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, (Range<usize>, String)> {
-    let located = |key: String, error: toml::de::Error| {
-        let span = error.span().unwrap_or_default();
-        let message = match text.get(span.clone()) {
-            Some(header @ ("[cuboid]" | "[light]" | "[camera]" | "[step]")) => {
-                format!("{header} is one of several tables, expected [{header}]")
+    let located = |key: String, span: Range<usize>, error: &toml::de::Error| {
+        let found = text.get(span.clone()).unwrap_or_default();
+        let message = match found {
+            "[cuboid]" | "[light]" | "[camera]" | "[step]" => {
+                format!("{found} is one of several tables, expected [{found}]")
+            }
+            // serde takes it for a map.
+            date if date.starts_with(|it: char| it.is_ascii_digit()) => {
+                key + &in_words(error.message()).replace("type: table", "type: date")
             }
             _ => key + &in_words(error.message()),
         };
         (span, message)
     };
-    let document = toml::Deserializer::parse(text);
-    let document = document.map_err(|error| located(String::new(), error))?;
+    let readable = large::as_floats(text);
+    let document = toml::Deserializer::parse(&readable).map_err(|error| {
+        let span = error.span().unwrap_or_else(|| deepest_key(text));
+        located(String::new(), span, &error)
+    })?;
     serde_path_to_error::deserialize(document).map_err(|error| {
         let key = match error.path().to_string() {
             root if root == "." => String::new(),
             key => format!("`{key}`: "),
         };
-        located(key, error.into_inner())
+        let error = error.into_inner();
+        located(key, error.span().unwrap_or_default(), &error)
     })
+}
+
+/// The line with the most dots. The parser does not say where a key of too many parts is.
+fn deepest_key(text: &str) -> Range<usize> {
+    let line = text.lines().max_by_key(|line| line.matches('.').count());
+    let line = line.unwrap_or_default().trim();
+    let start = line.as_ptr().addr() - text.as_ptr().addr();
+    start..start + line.len()
 }
 
 /// A message of serde in the words of users.
@@ -81,6 +101,7 @@ pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> St
     let message: String = message.chars().take(WIDEST_MESSAGE).collect();
     let gutter = " ".repeat(line.to_string().len());
     let (indent, carets) = (" ".repeat(indent), "^".repeat(carets));
+    let file = file.replace('\n', "\\n");
     format!(
         "{file}:{line}:{column}: {message}\n{gutter} |\n{line} | {shown}\n{gutter} | {indent}{carets}"
     )

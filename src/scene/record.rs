@@ -8,6 +8,7 @@ use std::ops::Range;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
+use super::check::{has, span};
 use super::error;
 use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
 use crate::components::{LightKind, Material, Orbit, ShadingMode, Viewer};
@@ -123,6 +124,12 @@ impl SceneRecord {
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
         let record: SceneRecord = error::read(text)?;
+        // serde does not say whether the tolerance is in the text.
+        if record.view.budget.is_some() && has(text, "view", "tolerance") {
+            let place = span(text, "view", 0, &["budget"]);
+            let message = "`view.budget`: beside a tolerance, expected one of the two";
+            return Err((place, message.to_owned()));
+        }
         record
             .check()
             .map_err(|mistake| (mistake.span(text), mistake.to_string()))?;

@@ -9,18 +9,22 @@
 use serde_json::{Value as Json, json};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
+use super::large;
 use super::record::SceneRecord;
 use crate::components::Orbit;
 
 /// Changes a text so that it reads as `record`. A text that is not a scene is replaced.
 pub fn updated(text: &str, record: &SceneRecord) -> String {
-    // `parse` refuses integers of more than 64 bits, which a scene takes for floats.
-    let (old, mut document) = match (SceneRecord::read(text), text.parse()) {
+    let (old, mut document) = match (SceneRecord::read(text), large::as_texts(text).parse()) {
         (Ok(old), _) if old == *record => return text.to_owned(),
         (Ok(old), Ok(document)) => (old, document),
         _ => (SceneRecord::default(), DocumentMut::new()),
     };
     let [mut old, mut new] = [json!(old), json!(record)];
+    // A text has one of the two.
+    if let (Some(_), Json::Object(view)) = (record.view.budget, &mut new["view"]) {
+        view.remove("tolerance");
+    }
     // A text that names its camera follows that name, even if the camera is the first.
     let named = document.get("view").and_then(|view| view.get("camera"));
     if let Some(name) = named.and_then(Item::as_str) {
@@ -34,7 +38,7 @@ pub fn updated(text: &str, record: &SceneRecord) -> String {
         }
     }
     amend_table(&mut *document, &old, &new);
-    let written = document.to_string();
+    let written = large::as_numbers(&document.to_string());
     if text.contains("\r\n") {
         return written.replace("\r\n", "\n").replace('\n', "\r\n");
     }

@@ -3,12 +3,14 @@
 use std::io::Write as _;
 
 use glam::DVec3;
+use proptest::prelude::*;
 use shadetrade::components::{
     Camera, Light, LightKind, Material, ShadingMode, View, Viewer, names, ordered,
 };
 use shadetrade::scene::{BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
 
 use super::{LEAST, MOST};
+use crate::support::cases::config;
 use crate::support::records;
 
 fn scene(text: &str) -> Scene {
@@ -156,6 +158,30 @@ fn the_assignment_s_cuboid_and_cameras_are_where_it_puts_them() {
 }
 
 #[test]
+fn lights_whose_names_differ_by_a_blank_are_told_apart() {
+    let lights = ["key", "key ", " fill"]
+        .map(|name| records::light(name, LightKind::Ambient, 1.0, [0.0; 3]));
+    let mut scene = load(None);
+    let mut record = record(&scene);
+    record.light = lights.to_vec();
+    scene = Scene::spawn("blanks".to_owned(), &record);
+    for (choice, expected) in [
+        ("key ", [false, true, false]),
+        (" fill", [false, false, true]),
+        ("key, fill", [true, false, true]),
+        (" key", [true, false, false]),
+        ("key,key ", [true, true, false]),
+    ] {
+        let switched = scene.switch_lights(choice);
+        assert_eq!(
+            (switched.ok(), on(&scene)),
+            (Some(()), expected.to_vec()),
+            "{choice:?}"
+        );
+    }
+}
+
+#[test]
 fn lights_are_switched_by_name_all_or_none() {
     let mut scene = load(None);
     let mut switch = |choice: &str| {
@@ -185,6 +211,49 @@ fn lights_are_switched_by_name_all_or_none() {
             "{said}"
         );
         assert_eq!(on, [true, false, false, false]);
+    }
+}
+
+/// Whole numbers as written, and their values: from 63 bits on, in every notation.
+const LARGE: [(&str, f64); 9] = [
+    ("9223372036854775807", 9_223_372_036_854_775_807.0),
+    ("9223372036854775808", 9_223_372_036_854_775_808.0),
+    ("-9223372036854775809", -9_223_372_036_854_775_809.0),
+    ("10000000000000000000", 1e19),
+    ("0xc000000000001000", 13_835_058_055_282_167_808.0),
+    ("18_446_744_073_709_551_616", 18_446_744_073_709_551_616.0),
+    ("+100000000000000000000", 1e20),
+    ("10000000000000000000000000000000000000000", 1e40),
+    // Exactly between two floats without its last bit, which lies beyond 128 bits.
+    (
+        "0x100000000000008000000000000000000000000000000001",
+        3.923_188_584_616_676e56,
+    ),
+];
+
+#[test]
+fn a_whole_number_is_a_number_whatever_its_size() {
+    for (written, value) in LARGE {
+        let text = LEAST.replace("[10.0, 11.0, 12.0]", &format!("[{written}, {written}, 1]"));
+        let position = record(&scene(&text)).light[0].position;
+        assert_eq!(position, Some(DVec3::new(value, value, 1.0)), "{written}");
+    }
+}
+
+proptest! {
+    #![proptest_config(config(64))]
+
+    /// The standard library converts decimal digits of any number, and binary ones up to 128.
+    #[test]
+    fn a_whole_number_is_the_nearest_float(digits in "[1-9][0-9]{0,99}", bits: u128, zeros in 0..128) {
+        let bits = bits >> zeros;
+        let written = [digits.clone(), format!("{bits:#x}"), format!("{bits:#o}"), format!("{bits:#b}")];
+        for (index, written) in written.into_iter().enumerate() {
+            let text = LEAST.replace("[10.0,", &format!("[{written},"));
+            let x = record(&scene(&text)).light[0].position.map(|it| it.x);
+            let expected = if index == 0 { digits.parse().ok() } else { Some(bits as f64) };
+            prop_assert_eq!(x, expected, "{}", written);
+        }
     }
 }
 

@@ -173,6 +173,43 @@ fn one_number_changes_one_line_and_its_comment_stays() {
 }
 
 #[test]
+fn whole_numbers_of_any_size_stay_as_they_were_written() {
+    let written = [
+        "9223372036854775808 # 64 bits",
+        "0x8000000000000001",
+        "-1_000_000_000_000_000_000_000",
+        "100000000000000000000",
+    ];
+    let [one, two, three, changed] = written;
+    let text = LOOKED_AT.replace("divider = 0.25 # left", "# no divider");
+    let text = text.replace("[8, 0, 0]", &format!("[\n{one}\n, {two}, {three}]"));
+    let text = format!(
+        "{text}[[light]]\nname = \"18446744073709551616\" # its name\nkind = \"ambient\"\ncolor = [1, 1, 1]\nintensity = {changed} # bright\n"
+    );
+    let after = edited(&text, |record| record.light[0].on = false);
+    assert_eq!(after, format!("{text}on = false\n"));
+    let after = edited(&text, |record| record.light[0].intensity = 7.0);
+    assert_eq!(after, text.replace(changed, "7.0"));
+}
+
+#[test]
+fn a_budget_takes_the_place_of_a_tolerance_and_the_other_way_round() {
+    let text = LOOKED_AT.replace("divider = 0.25", "tolerance = 0.5");
+    let held = edited(&text, |record| record.view.budget = Some(2.0));
+    assert!(
+        held.contains("budget = 2.0") && !held.contains("tolerance"),
+        "{held}"
+    );
+    let back = edited(&held, |record| {
+        (record.view.budget, record.view.tolerance) = (None, 2.0);
+    });
+    assert!(
+        back.contains("tolerance = 2.0") && !back.contains("budget"),
+        "{back}"
+    );
+}
+
+#[test]
 fn explicit_defaults_stay_and_implicit_ones_are_not_added() {
     let (_, text) = BUILT_IN[0];
     let there = edited(text, |record| {
