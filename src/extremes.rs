@@ -7,15 +7,17 @@
 pub mod stability;
 
 use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
 
 use anyhow::{Context, bail, ensure};
 use fearless_simd::Level;
 use hecs::World;
 use serde::{Deserialize, Serialize};
+use serde_json::json;
 
-use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names};
+use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names, viewer_mut};
 use crate::frame::{Frame, Keep, Workers};
-use crate::output::print;
+use crate::output::{self, Output, print};
 use crate::prove::{Example, Proof, Verdict, prove_at};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
@@ -32,6 +34,9 @@ pub const SIZE: [usize; 2] = [144, 108];
 /// At least one pixel in this many shows a cuboid: the pixels of all pictures from one camera are counted, and compared with
 /// those of one picture. Fewer prove little.
 const ONE_COVERED_IN: u64 = 70;
+
+/// The width of a name in a list.
+const WIDTH: usize = 36;
 
 /// Every picture is proven at these.
 const TOLERANCES: [f64; 2] = [0.0, 0.5];
@@ -131,35 +136,58 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let names: Vec<&str> = names.collect();
     let is_missing = |name: &&&str| table.iter().all(|it| it.name != **name);
     if let Some(name) = names.iter().find(is_missing) {
-        bail!("no extreme is named {name:?}; `shadetrade extremes` lists them");
+        bail!("no extreme is named {name:?}; `shadetrade extremes --list` names them");
     }
     table.retain(|extreme| names.is_empty() || names.contains(&extreme.name));
     Ok(table)
 }
 
-/// Proves the pictures of extremes on rayon's current threads.
-pub fn examine(extremes: &[Extreme], level: Level, monitor: Monitor) -> Vec<Outcome> {
-    let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
-        (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
-        let observed = extreme.observe(level);
-        Outcome {
-            name: extreme.name,
-            expected: extreme.expected(),
-            pass: observed.is_ok(),
-            observed: observed.unwrap_or_else(|error| format!("{error:#}")),
-        }
-    });
-    outcomes.collect()
-}
-
-/// The command: proves extremes and prints the outcomes.
+/// The command: proves extremes on rayon's current threads, and prints each outcome once it is known.
 ///
 /// # Errors
 /// If one of them fails, or the result cannot be printed.
 pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<()> {
-    let outcomes = with_bar(|monitor| Ok(examine(extremes, level, monitor)))?;
-    print(&outcomes, as_json, None, || text(&outcomes))?;
+    let outcomes = if as_json {
+        let outcomes = with_bar(|monitor| {
+            let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
+                (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
+                extreme.outcome(level)
+            });
+            Ok(outcomes.collect::<Vec<_>>())
+        })?;
+        Output::Stdout.write(output::json(&outcomes)?)?;
+        outcomes
+    } else {
+        let outcomes = extremes.iter().map(|extreme| {
+            let outcome = extreme.outcome(level);
+            Output::Stdout.write(format!("{outcome}\n"))?;
+            Ok(outcome)
+        });
+        let outcomes = outcomes.collect::<anyhow::Result<Vec<_>>>()?;
+        let passed = outcomes.iter().filter(|outcome| outcome.pass).count();
+        Output::Stdout.write(format!("\n{passed} of {} pass\n", outcomes.len()))?;
+        outcomes
+    };
     all_pass(&outcomes)
+}
+
+/// The command with `--list`: prints the names, each with what the scene is.
+///
+/// # Errors
+/// If they cannot be printed.
+pub fn list(extremes: &[Extreme], as_json: bool) -> anyhow::Result<()> {
+    let says = extremes.iter().map(|it| (it.name, it.sentence()));
+    let says: Vec<_> = says.collect();
+    let lines = || {
+        let lines = says
+            .iter()
+            .map(|(name, says)| format!("{name:<WIDTH$}  {says}"));
+        lines.collect::<Vec<_>>().join("\n")
+    };
+    let record = says
+        .iter()
+        .map(|(name, says)| json!({ "name": name, "says": says }));
+    print(&record.collect::<Vec<_>>(), as_json, None, lines)
 }
 
 /// # Errors
@@ -170,21 +198,40 @@ pub fn all_pass(outcomes: &[Outcome]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// A line for each outcome, and the number of those that passed.
-pub fn text(outcomes: &[Outcome]) -> String {
-    let line = |it: &Outcome| {
-        let verdict = if it.pass { "pass" } else { "FAIL" };
-        format!(
-            "{verdict}  {:<36}  {}; {}\n",
-            it.name, it.expected, it.observed
+impl Display for Outcome {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        let verdict = if self.pass { "pass" } else { "FAIL" };
+        let (name, expected, observed) = (self.name, &self.expected, &self.observed);
+        write!(
+            formatter,
+            "{verdict}  {name:<WIDTH$}  {expected}; {observed}"
         )
-    };
-    let lines: String = outcomes.iter().map(line).collect();
-    let passed = outcomes.iter().filter(|outcome| outcome.pass).count();
-    format!("{lines}\n{passed} of {} pass", outcomes.len())
+    }
 }
 
 impl Extreme {
+    /// The first sentence of the scene's file.
+    fn sentence(&self) -> String {
+        let mut scenes = EXTREMES.iter();
+        let scene = scenes.find(|(path, _)| path.trim_start_matches(FOLDER) == self.name);
+        let lines = scene.map_or("", |(_, text)| text).lines();
+        let head: Vec<&str> = lines.map_while(|line| line.strip_prefix("# ")).collect();
+        let head = head.join(" ");
+        let sentence = head.split_inclusive(". ").next();
+        sentence.unwrap_or_default().trim_end().to_owned()
+    }
+
+    /// Proves the pictures.
+    pub fn outcome(&self, level: Level) -> Outcome {
+        let observed = self.observe(level);
+        Outcome {
+            name: self.name,
+            expected: self.expected(),
+            pass: observed.is_ok(),
+            observed: observed.unwrap_or_else(|error| format!("{error:#}")),
+        }
+    }
+
     /// The expectation in words.
     fn expected(&self) -> String {
         match self.fact {
@@ -203,7 +250,7 @@ impl Extreme {
         for camera in &names::<Camera>(&scene.world) {
             scene.look_from(camera)?;
             let mut seen = 0;
-            for view in self.views(&scene.world) {
+            for view in self.views(&mut scene.world) {
                 let world = &mut scene.world;
                 // No monitor: the progress of one picture among many is not shown.
                 let proofs = prove_at(TOLERANCES, world, &view, None, level, Monitor::NONE)?;
@@ -238,11 +285,11 @@ impl Extreme {
     }
 
     /// The views of the active camera.
-    fn views(&self, world: &World) -> Vec<View> {
-        let mut view = View::of(world, self.size);
+    fn views(&self, world: &mut World) -> Vec<View> {
         let mut views = Vec::new();
         for &projection in &self.projections {
-            view.projection = projection;
+            viewer_mut(world).projection = projection;
+            let view = View::of(world, self.size);
             views.extend(self.modes.iter().map(|mode| view.shaded(*mode)));
         }
         views

@@ -55,7 +55,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Proves extremes or draws the stability charts.
+/// Proves or lists extremes, or draws the stability charts.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
     let level = options.workers.simd;
     if options.chart {
@@ -63,6 +63,9 @@ fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
         return Ok(extremes::stability::run(level, folder, options.json)?);
     }
     let chosen = extremes::named(&options.names).map_err(Failure::Usage)?;
+    if options.list {
+        return Ok(extremes::list(&chosen, options.json)?);
+    }
     Ok(extremes::run(&chosen, level, options.json)?)
 }
 
@@ -90,7 +93,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let is_plain = std::env::args_os().skip(1).all(|word| word == "view");
     let mut drawing = options.drawing.open(None)?;
     options.budget.apply_to(&mut drawing);
-    let scene = output::quoted(&drawing.scene.name);
+    let scene = output::one_line(output::quoted(&drawing.scene.name));
     let closed = window::run(drawing);
     if let Err(missing) = &closed
         && missing.is::<NoDisplay>()

@@ -5,7 +5,7 @@
 mod promises;
 
 use libfuzzer_sys::fuzz_target;
-use shadetrade::components::{Camera, Light, Mesh, Projection, View, ordered};
+use shadetrade::components::{Camera, Light, Mesh, Projection, View, ordered, viewer_mut};
 use shadetrade::scene::Scene;
 
 /// Larger scenes are skipped: they take long to draw and find no other faults.
@@ -29,9 +29,9 @@ fuzz_target!(|bytes: &[u8]| {
     }
     for camera in ordered::<Camera>(&scene.world).into_iter().take(2) {
         for projection in Projection::ALL {
+            viewer_mut(&mut scene.world).projection = projection;
             let view = View {
                 camera: Camera::of(&scene.world, camera),
-                projection,
                 ..View::of(&scene.world, [19, 13]).with_tolerance(0.5)
             };
             promises::check(&mut scene.world, &view);

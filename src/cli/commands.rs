@@ -204,6 +204,9 @@ pub struct ExtremesOptions {
     /// Proves only these extremes [default: all]
     #[arg(value_name = "NAME", conflicts_with = "chart")]
     pub names: Vec<String>,
+    /// Prints the names, each with a sentence about its scene, and proves nothing
+    #[arg(long, conflicts_with = "chart")]
+    pub list: bool,
     /// Sweeps one number of a scene at a time instead, and shows the range in which f32, f64 and the renderer keep 0.05 level
     #[arg(long)]
     pub chart: bool,
@@ -211,7 +214,7 @@ pub struct ExtremesOptions {
     #[arg(short, long, value_name = "DIR", value_parser = path())]
     #[arg(requires = "chart", conflicts_with = "names")]
     pub output: Option<PathBuf>,
-    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; with --chart, the curves
+    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; `name` and `says` with --list; the curves with --chart
     #[arg(long)]
     pub json: bool,
     /// The SIMD level and the threads.

@@ -1,7 +1,8 @@
 //! The movement of a camera around its target, and the limits that keep the scene in view.
 //!
 //! The default orbit leaves the camera unchanged, bit for bit. All others look at the target and stay short of
-//! the poles, which are the camera's `up` and its opposite.
+//! the poles, which are the camera's `up` and its opposite. In orthographic projection a zoom changes the height seen
+//! alone: the eye and its near plane stay, so that they cut nothing away.
 
 use std::ops::RangeInclusive;
 
@@ -9,7 +10,7 @@ use glam::DVec3;
 use hecs::{Entity, World};
 use serde::{Deserialize, Serialize};
 
-use super::camera::Camera;
+use super::camera::{Camera, Projection};
 use super::entity::get;
 use super::mesh::Mesh;
 use super::range::{OrbitAngle, Zoom};
@@ -21,7 +22,7 @@ use super::viewer::{active_camera, viewer};
 const POLE_DISTANCE: f64 = 1.0;
 /// The factor of distance and height in one step of zoom.
 const ZOOM_STEP: f64 = 1.1;
-/// The least distance from the target, as a share of the scene's size.
+/// The least distance from the target and the least height, as a share of the scene's size.
 const CLOSEST: f64 = 0.001;
 /// The largest distance and the largest height, as multiples of the scene's size.
 const FARTHEST: f64 = 30.0;
@@ -36,7 +37,7 @@ pub struct Orbit {
     /// Degrees towards `up`.
     #[serde(deserialize_with = "OrbitAngle::one")]
     pub elevation: f64,
-    /// Factor of the distance and of the height seen, > 0; smaller is closer.
+    /// Factor of the distance in perspective, and of the height seen in orthographic projection, > 0; smaller is closer.
     #[serde(deserialize_with = "Zoom::one")]
     pub zoom: f64,
 }
@@ -89,7 +90,7 @@ impl Orbit {
         self
     }
 
-    /// The zooms that keep the active camera outside of the cuboids and near the scene.
+    /// The zooms that keep the active camera near the scene, and in perspective outside of the cuboids.
     pub fn limits(world: &World) -> RangeInclusive<f64> {
         let from = Camera::own(world, active_camera(world));
         let turned = viewer(world).turned;
@@ -113,8 +114,11 @@ impl Orbit {
         let distance = length(from.position - target);
         // A camera that starts closer than the farthest corner is stopped only by the near plane.
         let clearance = if distance > clearance { clearance } else { 0.0 };
-        let closest = clearance.max(size * CLOSEST) + from.near();
-        closest / distance..=size * FARTHEST / distance.max(from.height)
+        let closest = match viewer(world).projection {
+            Projection::Perspective => (clearance.max(size * CLOSEST) + from.near()) / distance,
+            Projection::Orthographic => size * CLOSEST / from.height,
+        };
+        closest..=size * FARTHEST / distance.max(from.height)
     }
 }
 
@@ -127,18 +131,21 @@ impl Camera {
         get(world, entity).expect("the entity is a camera")
     }
 
-    /// The camera of an entity, moved by its [`Orbit`].
+    /// The camera of an entity, moved by its [`Orbit`] in the projection of the viewer.
     ///
     /// # Panics
     /// If the entity is no camera.
     pub fn of(world: &World, entity: Entity) -> Camera {
         let own = Camera::own(world, entity);
-        let orbit: Orbit = get(world, entity).unwrap_or_default();
-        if orbit == Orbit::default() {
-            return own;
-        }
+        let mut orbit: Orbit = get(world, entity).unwrap_or_default();
         let mut moved = own;
         moved.height *= orbit.zoom;
+        if viewer(world).projection == Projection::Orthographic {
+            orbit.zoom = 1.0;
+        }
+        if orbit == Orbit::default() {
+            return moved;
+        }
         let offset = own.position - own.target;
         let up = unit(own.up);
         let right = unit(up.cross(unit(offset)));

@@ -12,7 +12,7 @@ use super::viewer::{active_camera, background, viewer};
 pub struct View {
     /// Width and height of the picture in pixels, each at least 1.
     pub size: [usize; 2],
-    /// The camera, moved by its [`Orbit`](super::Orbit).
+    /// The camera, moved by its [`Orbit`](super::Orbit) in this projection.
     pub camera: Camera,
     /// Perspective or orthographic.
     pub projection: Projection,

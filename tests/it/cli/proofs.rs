@@ -1,9 +1,13 @@
 //! `prove` and `extremes`: their JSON, their exit status, and pictures of other programs.
 
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+
 use image::{DynamicImage, ImageFormat, RgbImage};
 use serde_json::json;
+use shadetrade::scene::EXTREMES;
 
-use super::{SCENE, assert_works, cube, folder, json, keys, put, run, said};
+use super::{SCENE, assert_works, cube, folder, json, keys, put, run, said, shadetrade};
 
 const SMALL: &str = "--shading phong --tolerance 0";
 
@@ -105,4 +109,44 @@ fn an_extreme_is_proven_and_drawn_by_its_name() {
     );
     let line = "render extremes/eye-on-an-edge --size 64x48 -o a.png";
     assert_works(folder.path(), line);
+}
+
+#[test]
+fn extremes_are_listed_with_a_sentence_and_a_line_is_printed_as_each_is_proven() {
+    let folder = folder();
+    let listed = String::from_utf8(run(folder.path(), "extremes --list").stdout);
+    let listed = listed.expect("it is UTF-8");
+    let lines: Vec<&str> = listed.lines().collect();
+    assert_eq!(lines.len(), EXTREMES.len());
+    for (line, (path, text)) in lines.iter().zip(EXTREMES) {
+        let (name, sentence) = line.split_once("  ").expect("a name and a sentence");
+        assert_eq!(format!("extremes/{name}"), *path);
+        let head = text.replace("\n# ", " ");
+        assert!(
+            sentence.ends_with('.') && head.contains(sentence.trim()),
+            "{line}"
+        );
+    }
+    let (_, listed) = json(folder.path(), "extremes --list --json speck");
+    assert_eq!(
+        (keys(&listed[0]), &listed[0]["name"]),
+        ("name says".to_owned(), &json!("speck"))
+    );
+
+    // The first line is there long before the last scene is proven.
+    let mut program = shadetrade(folder.path());
+    let program = program.arg("extremes").stdout(Stdio::piped()).spawn();
+    let mut program = program.expect("it starts");
+    let mut line = String::new();
+    let output = program.stdout.as_mut().expect("it is piped");
+    BufReader::new(output)
+        .read_line(&mut line)
+        .expect("it can be read");
+    let is_going_on = program.try_wait().expect("its state is known").is_none();
+    program.kill().expect("it is ours");
+    program.wait().expect("it ends");
+    assert!(
+        line.starts_with("pass  assignment ") && is_going_on,
+        "{line}"
+    );
 }

@@ -2,7 +2,9 @@
 
 use glam::{DVec3, dvec3};
 use hecs::World;
-use shadetrade::components::{Camera, Lens, Orbit, View, active_camera, names};
+use shadetrade::components::{
+    Camera, Lens, Orbit, Projection, View, active_camera, names, viewer_mut,
+};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::viewpoint;
 
@@ -105,6 +107,39 @@ fn an_orbit_moves_the_active_camera_around_its_target() {
     scene.look_from("left").expect_err("there is none");
     scene.look_from("front").expect("it is there");
     assert_eq!(moved(&scene, Orbit::default()), here, "and back");
+}
+
+#[test]
+fn zoom_in_orthographic_projection_changes_the_height_and_moves_neither_eye_nor_near_plane() {
+    let mut scene = cameras();
+    let own = moved(&scene, Orbit::default());
+    viewer_mut(&mut scene.world).projection = Projection::Orthographic;
+    let raised = |zoom| Orbit {
+        azimuth: 30.0,
+        elevation: 20.0,
+        zoom,
+    };
+    let far = moved(&scene, raised(1.0));
+    for zoom in [0.001, 0.1, 2.0] {
+        let lens = moved(
+            &scene,
+            Orbit {
+                zoom,
+                ..Orbit::default()
+            },
+        );
+        assert_eq!((lens.eye, lens.near), (own.eye, own.near));
+        assert!((lens.pitch * 200.0 / (20.0 * zoom) - 1.0).abs() < 1e-14);
+        let lens = moved(&scene, raised(zoom));
+        assert_eq!((lens.eye, lens.near), (far.eye, far.near));
+    }
+    // The wheel goes on where in perspective the eye would be in the cuboid.
+    let limits = Orbit::limits(&scene.world);
+    let expected = 3.0 * 2.0_f64.sqrt();
+    assert!(
+        (limits.start() * 20.0 / expected * 1000.0 - 1.0).abs() < 1e-12,
+        "{limits:?}"
+    );
 }
 
 #[test]
