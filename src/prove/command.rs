@@ -62,6 +62,7 @@ pub fn run(
     }
     let lines = || lines(drawing, &proof, seconds).join("\n");
     print(&record, as_json, map, lines)?;
+    drawing.say_if_unseen(proof.covered);
     if proof.refuted > 0 {
         let pixels = counted(proof.pixels, "pixel");
         bail!("refuted: {} of {pixels}", proof.refuted);

@@ -2,6 +2,7 @@
 
 pub mod cases;
 pub mod extreme;
+pub mod indexed;
 pub mod random;
 pub mod random_scene;
 pub mod records;

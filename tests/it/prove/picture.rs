@@ -1,12 +1,14 @@
 //! Pictures of other programs: their bytes are judged without known faces.
 
 use fearless_simd::Level;
+use png::{BitDepth, ColorType, Info};
 use shadetrade::components::{Projection, ShadingMode, View};
 use shadetrade::frame::Keep;
-use shadetrade::prove::{Proof, Verdict, prove};
+use shadetrade::prove::{PngPicture, Proof, Verdict, prove, read_png};
 use shadetrade::report::Monitor;
 use shadetrade::scene::{BUILT_IN, Scene};
 
+use crate::support::indexed::{indexed, with_info};
 use crate::support::scene::draw;
 
 const SIZE: [usize; 2] = [80, 60];
@@ -101,4 +103,49 @@ fn gouraud_is_refuted_as_phong_by_its_known_error() {
     assert_eq!(proof.proven, (SIZE[0] * SIZE[1]) as u64);
     assert!(proof.worst >= errors[0], "{}", proof.worst);
     assert!(proof.widest_enclosure > 0.0 && proof.widest_enclosure < 1e-6);
+}
+
+/// Reads a PNG of another program.
+fn read(file: &[u8]) -> PngPicture {
+    let folder = tempfile::tempdir().expect("there is room for a folder");
+    let path = folder.path().join("a.png");
+    std::fs::write(&path, file).expect("it is written");
+    read_png(&path).unwrap_or_else(|error| panic!("{error:#}"))
+}
+
+#[test]
+fn an_index_of_one_to_eight_bits_is_a_colour_of_the_palette() {
+    // Five pixels a row, so that the last byte of a row is not full.
+    let colors = [[7, 8, 9], [0, 255, 1]];
+    for (depth, rows) in [
+        (BitDepth::One, &[0b0100_1000, 0b1111_0000][..]),
+        (
+            BitDepth::Two,
+            &[0b0001_0000, 0b0100_0000, 0b0101_0101, 0][..],
+        ),
+        (BitDepth::Four, &[0x01, 0x00, 0x10, 0x11, 0x11, 0x00][..]),
+        (BitDepth::Eight, &[0, 1, 0, 0, 1, 1, 1, 1, 1, 0][..]),
+    ] {
+        let (pixels, size) = read(&indexed([5, 2], depth, &colors, rows));
+        assert_eq!(size, [5, 2]);
+        let indices = pixels.iter().map(|it| match it {
+            0x0007_0809 => 0,
+            0x0000_ff01 => 1,
+            other => panic!("{depth:?}: {other:06x}"),
+        });
+        let expected = [0, 1, 0, 0, 1, 1, 1, 1, 1, 0];
+        assert!(indices.eq(expected), "{depth:?}: {pixels:x?}");
+    }
+}
+
+#[test]
+fn a_colour_profile_is_not_unpacked() {
+    let mut info = Info::with_size(2, 1);
+    info.color_type = ColorType::Rgb;
+    info.icc_profile = Some(vec![0; 30 << 20].into());
+    let file = with_info(info, &[1, 2, 3, 4, 5, 6]);
+    let mut picture = Vec::new();
+    let used = allocation_counter::measure(|| picture = read(&file).0);
+    assert_eq!(picture, [0x0001_0203, 0x0004_0506]);
+    assert!(used.bytes_max < 5 << 20, "{used:?}");
 }
