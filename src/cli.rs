@@ -114,6 +114,7 @@ The second table has the fewest bits of significand that each stage of the model
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\
 Examples:
+  shadetrade extremes --list
   shadetrade extremes eye-inside horizon-1e12
   shadetrade extremes --chart -o stability
 
@@ -215,13 +216,17 @@ fn mistyped(words: &[OsString]) -> Option<clap::Error> {
     let word = words.get(1)?.to_str()?;
     let mut commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
     if word.starts_with('-') {
-        // Each option of `view` takes a value.
-        let is_late = |pair: &&[OsString]| {
-            let is_value = pair[0].to_string_lossy().starts_with('-');
-            !is_value && commands.find_subcommand(&pair[1]).is_some()
+        // Each option of `view` takes a value, after `=` or as the next word.
+        let needs_value = |word: &OsString| {
+            let word = word.to_string_lossy();
+            word.starts_with('-') && !word.contains('=')
         };
-        let command = words[1..].windows(2).find(is_late)?[1].display();
-        let message = format!("the command `{command}` stands before all options");
+        let mut pairs = words[1..].windows(2).filter(|pair| !needs_value(&pair[0]));
+        let late = pairs.find_map(|pair| commands.find_subcommand(&pair[1]))?;
+        let message = format!(
+            "the command `{}` stands before all options",
+            late.get_name()
+        );
         return Some(commands.error(clap::error::ErrorKind::ArgumentConflict, message));
     }
     if word.contains(['.', '/']) || Path::new(word).exists() {

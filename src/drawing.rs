@@ -1,5 +1,7 @@
 //! The checked input of every command that draws: a scene, the size of the picture, threads and SIMD level.
 
+pub mod unseen;
+
 use std::num::NonZero;
 use std::thread::available_parallelism;
 
@@ -9,6 +11,7 @@ use hecs::World;
 
 use crate::components::{Name, ShadingMode, View, active_camera, common_mode, get};
 use crate::frame::Workers;
+use crate::output::{one_line, say};
 use crate::scene::Scene;
 
 /// The largest number of threads: more than the cores of common machines, fewer than the limit of a process.
@@ -43,12 +46,19 @@ impl Drawing {
         let [width, height] = view.size;
         format!(
             "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
-            self.scene.name,
+            one_line(&self.scene.name),
             camera_name(&self.scene.world),
             view.projection.name(),
             self.mode(),
             view.tolerance
         )
+    }
+
+    /// Says on standard error why nothing is seen, if no pixel shows a cuboid.
+    pub fn say_if_unseen(&self, covered_pixels: u64) {
+        if covered_pixels == 0 {
+            say(&unseen::reason(&self.scene.world, &self.view()));
+        }
     }
 
     /// The threads and the SIMD level.

@@ -1,24 +1,22 @@
 //! Output to standard output and to files, which are written completely or not at all.
 //!
 //! The content goes to a hidden temporary file in the folder of the target, which is renamed to the target once all of
-//! it is on the disk. Devices and pipes are written directly. A symbolic link stays a link, and its target is replaced.
+//! it is on the disk. Devices, pipes and open descriptors such as /dev/fd/3 are written directly. A symbolic link stays a
+//! link, and its target is replaced.
 //! It is no error if the reader of standard output closes it early.
 
 mod png;
 
-use std::borrow::Cow;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::process;
 
 use anyhow::{Context, ensure};
 use serde::Serialize;
 
 pub use png::{Animation, encode_png};
-
-/// The names of standard output. As paths they would replace a file that the shell is writing.
-const STDOUT: [&str; 4] = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +30,7 @@ pub enum Output {
 impl From<OsString> for Output {
     /// `-` and the system's names are standard output, everything else is a path.
     fn from(path: OsString) -> Self {
-        if STDOUT.iter().any(|name| path == *name) {
+        if path == "-" || descriptor(path.as_ref()) == Some(1) {
             Output::Stdout
         } else {
             Output::File(path.into())
@@ -42,10 +40,10 @@ impl From<OsString> for Output {
 
 impl Output {
     /// Its name in messages.
-    pub fn name(&self) -> Cow<'_, str> {
+    pub fn name(&self) -> String {
         match self {
-            Output::Stdout => "standard output".into(),
-            Output::File(path) => path.to_string_lossy(),
+            Output::Stdout => "standard output".to_owned(),
+            Output::File(path) => one_line(path),
         }
     }
 
@@ -64,7 +62,7 @@ impl Output {
                 }
             }
             Output::File(path) => write_file(path, content)
-                .with_context(|| format!("cannot write {}", path.display())),
+                .with_context(|| format!("cannot write {}", one_line(path))),
         }
     }
 
@@ -84,12 +82,12 @@ impl Output {
 /// If the folder cannot be created or written to.
 pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     if !path.is_dir() {
-        ensure!(!path.exists(), "{} is a file, not a folder", path.display());
+        ensure!(!path.exists(), "{} is a file, not a folder", one_line(path));
         check_folder(folder_of(path))
             .and_then(|()| Ok(fs::create_dir(path)?))
-            .with_context(|| format!("cannot make the folder {}", path.display()))?;
+            .with_context(|| format!("cannot make the folder {}", one_line(path)))?;
     }
-    tempfile::tempfile_in(path).with_context(|| format!("cannot write into {}", path.display()))?;
+    tempfile::tempfile_in(path).with_context(|| format!("cannot write into {}", one_line(path)))?;
     Ok(())
 }
 
@@ -143,6 +141,11 @@ pub fn printable(text: &str) -> String {
     text.replace(harmful, "\u{fffd}")
 }
 
+/// A name or path for a message, on one line.
+pub fn one_line(name: impl AsRef<OsStr>) -> String {
+    name.as_ref().to_string_lossy().replace('\n', "\\n")
+}
+
 /// A word quoted for a POSIX shell.
 pub fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_ascii_alphanumeric() || "_-+=:,./@%".contains(letter);
@@ -153,11 +156,32 @@ pub fn quoted(word: &str) -> String {
     }
 }
 
-/// Replaces the file that `path` leads to, or creates it. Devices and pipes are written directly.
+/// The number of this process' open descriptor that a path leads to: 1 for /dev/stdout.
+fn descriptor(path: &Path) -> Option<u32> {
+    // A circle of links leads nowhere.
+    path.metadata().ok()?;
+    let mut path = path.to_owned();
+    loop {
+        let folder = folder_of(&path).canonicalize().ok()?;
+        let own = format!("/proc/{}", process::id());
+        if folder == Path::new("/dev/fd") || folder.starts_with(own) && folder.ends_with("fd") {
+            return path.file_name()?.to_str()?.parse().ok();
+        }
+        path = folder.join(fs::read_link(&path).ok()?);
+    }
+}
+
+/// Replaces the file that `path` leads to, or creates it. Devices, pipes and descriptors are written directly.
 fn write_file(path: &Path, content: &[u8]) -> anyhow::Result<()> {
+    let descriptor = descriptor(path);
+    if descriptor == Some(2) {
+        return Ok(io::stderr().write_all(content)?);
+    }
     // A file that may not be written may not be replaced either.
     let old = match OpenOptions::new().append(true).open(path) {
-        Ok(mut device) if !device.metadata()?.is_file() => return Ok(device.write_all(content)?),
+        Ok(mut file) if descriptor.is_some() || !file.metadata()?.is_file() => {
+            return Ok(file.write_all(content)?);
+        }
         Ok(file) => Some(file.metadata()?.permissions()),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => return Err(error.into()),
@@ -186,7 +210,7 @@ pub fn write_numbered(
     name: impl Fn(u32) -> String,
     content: &[u8],
 ) -> anyhow::Result<PathBuf> {
-    let cannot = || format!("cannot write {}", folder.join(name(1)).display());
+    let cannot = || format!("cannot write {}", one_line(folder.join(name(1))));
     let mut file = temporary_file(folder, content).with_context(cannot)?;
     let mut number = 1;
     loop {
@@ -219,13 +243,13 @@ pub fn check_place(path: &Path) -> anyhow::Result<()> {
     ensure!(
         !path.is_dir(),
         "cannot write {}: it is a directory",
-        path.display()
+        one_line(path)
     );
-    check_folder(folder_of(path)).with_context(|| format!("cannot write {}", path.display()))
+    check_folder(folder_of(path)).with_context(|| format!("cannot write {}", one_line(path)))
 }
 
 fn check_folder(folder: &Path) -> anyhow::Result<()> {
-    ensure!(folder.is_dir(), "there is no folder {}", folder.display());
+    ensure!(folder.is_dir(), "there is no folder {}", one_line(folder));
     Ok(())
 }
 

@@ -15,7 +15,7 @@ use super::failure::Failure;
 use crate::components::range::Milliseconds;
 use crate::components::{Projection, ShadingMode, Viewer, overwrite, viewer_mut};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
-use crate::output::{Output, check_place};
+use crate::output::{Output, check_place, one_line};
 use crate::scene::key::{self, Key};
 use crate::scene::{BUILT_IN, MAX_SIDE, Scene, SceneRecord};
 use crate::simd;
@@ -149,7 +149,7 @@ pub fn refuse_to_replace(input: &Path, output: Option<&Output>) -> Result<(), Fa
         && let (Ok(read), Ok(written)) = (input.canonicalize(), output.canonicalize())
         && read == written
     {
-        let output = output.display();
+        let output = one_line(output);
         let error = anyhow!("{output} is the input itself; give -o another place");
         return Err(Failure::Usage(error));
     }
@@ -186,10 +186,12 @@ pub fn number(
     number.filter(|it| is_legal(*it)).ok_or(message)
 }
 
-/// Two whole numbers with a separator between.
+/// Two whole numbers with a separator between, and neither blanks nor signs.
 pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
     let (one, other) = text.split_once(separator)?;
-    Some([one.trim().parse().ok()?, other.trim().parse().ok()?])
+    let is_plain = |it: char| it.is_ascii_digit() || it == separator;
+    let pair = Some([one.parse().ok()?, other.parse().ok()?]);
+    pair.filter(|_| text.chars().all(is_plain))
 }
 
 fn tolerance(text: &str) -> Result<f64, &'static str> {

@@ -12,7 +12,7 @@ use crate::components::View;
 use crate::drawing::all_cores;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
-use crate::output::{Output, make_folder, say};
+use crate::output::{Output, make_folder, one_line, say};
 use crate::scene::Scene;
 use crate::systems;
 
@@ -89,7 +89,7 @@ pub fn figures(folder: &Path) -> Result<()> {
 
 fn write(folder: &Path, name: &str, pixels: &[u32], size: [usize; 2]) -> Result<()> {
     let path = folder.join(name).with_extension("png");
-    let (name, [width, height]) = (path.display().to_string(), size);
+    let (name, [width, height]) = (one_line(&path), size);
     Output::File(path).write_png(pixels, size)?;
     say(&format!("wrote {name}: {width}x{height}"));
     Ok(())

@@ -4,6 +4,7 @@ use super::measurement::{Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
 use crate::components::ShadingMode;
+use crate::output::one_line;
 use crate::report::tables::{self, aligned, wrapped};
 use crate::report::words::{counted, interval, short};
 
@@ -65,7 +66,7 @@ pub fn subject(report: &Report) -> String {
     let [width, height] = report.size;
     format!(
         "{}, camera {}, {}, {width}x{height}: {}",
-        report.scene,
+        one_line(&report.scene),
         report.camera,
         report.projection.name(),
         counted(report.covered_pixels as usize, "covered pixel")
@@ -101,8 +102,7 @@ fn legend(report: &Report) -> String {
         "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \
          greatest median of a run, each a process of its own. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
-         belongs. Best trade: every faster method errs more, and every method that errs less is slower; of equal errors, one is faster \
-         only if their ranges do not overlap.{note}"
+         belongs. Best trade: every faster method errs more, and every more exact one is slower.{note}"
     )
 }
 

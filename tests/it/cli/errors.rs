@@ -5,12 +5,18 @@ use std::fs;
 use image::{DynamicImage, ImageFormat};
 
 use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
+use crate::support::indexed::indexed;
 
 /// Exit status, arguments, and words of the message with bars between.
 const FAILURES: &str = r#"
 2  --size 0x0  ->  '0x0'|1x1 to 16384x16384
 2  rendr  ->  'rendr'|'render'
 2  --camera 2 render -o b.png  ->  `render`|before all options
+2  --camera=2 render -o b.png  ->  `render`|before all options
+2  --size=9x9 figures  ->  `figures`|before all options
+2  --threads 2 --size=9x9 prove --json  ->  `prove`|before all options
+2  --size +1x1  ->  '+1x1'|such as 960x720
+2  view --size 1x+1  ->  '1x+1'
 2  --size 16385x1  ->  '16385x1'
 2  view --size 960  ->  '960'|such as 960x720
 2  render -o b.png --size -5x5  ->  '-5x5'
@@ -28,7 +34,7 @@ const FAILURES: &str = r#"
 2  render -o b.png --set light.white.intensty=1  ->  intensty|intensity, gain
 2  render -o b.png --set light.white.gain=-1  ->  light.white.gain|from 0.0 to 1e30
 2  render -o b.png --set light.white.on  ->  KEY=VALUE
-2  extremes nowhere  ->  "nowhere"|`shadetrade extremes`
+2  extremes nowhere  ->  "nowhere"|`shadetrade extremes --list`
 2  probe --pixel 960,0  ->  960,0|959,719
 2  probe --pixel 0,720  ->  0,720|959,719
 2  probe --pixel 1,2,3  ->  '1,2,3'|480,300
@@ -38,7 +44,7 @@ const FAILURES: &str = r#"
 1  trade --batch  ->  standard input
 # Scenes.
 2  render absent.toml -o b.png  ->  absent.toml
-2  render absent -o b.png  ->  absent|built in are cuboid, bench-far
+2  render absent -o b.png  ->  absent|built in are cuboid, bench-far|`shadetrade extremes --list`
 2  render . -o b.png  ->  .
 2  render bytes.toml -o b.png  ->  bytes.toml
 2  view key.toml  ->  key.toml:1:1: |colour|^^^^^^
@@ -48,6 +54,7 @@ const FAILURES: &str = r#"
 2  requires -o b.png  ->  b.png|.toml
 2  prove -o - --json  ->  -o and --json|give -o a file
 2  requires -o /dev/stdout --json  ->  -o and --json
+2  requires -o /proc/thread-self/fd/1 --json  ->  -o and --json
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
 2  trade sub/trade.md -o sub  ->  sub/trade.md is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
@@ -61,7 +68,12 @@ const FAILURES: &str = r#"
 # Pictures to judge.
 2  prove --picture deep.png  ->  16 bits
 2  prove --picture clear.png  ->  transparent
-2  prove --picture half.png  ->  damaged
+2  prove --picture half.png  ->  error: half.png is damaged⏎
+2  prove --picture flipped.png  ->  error: flipped.png is damaged⏎
+2  prove --picture header.png  ->  error: header.png is damaged⏎
+2  prove --picture beyond.png  ->  error: beyond.png is damaged⏎
+2  prove --picture wide.png  ->  wide.png has 16385x1 pixels|16384x16384
+2  prove --picture vast.png  ->  vast.png has 2147483647x2147483647 pixels|16384x16384
 2  prove --picture text.png  ->  not a PNG
 2  prove --picture absent.png  ->  cannot read
 2  prove --picture .  ->  cannot read .
@@ -95,6 +107,21 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
     assert_works(folder, "render --size 96x72 -o drawn.png");
     let png = get(folder, "drawn.png");
     put(folder, "half.png", &png[..png.len() / 2]);
+    for (name, at) in [("flipped.png", png.len() / 2), ("header.png", 29)] {
+        let mut damaged = png.clone();
+        damaged[at] ^= 1;
+        put(folder, name, damaged);
+    }
+    // The last pixel has the third of two colours.
+    let palette = [[0; 3], [9; 3]];
+    let indexed = |size, rows: &[u8]| indexed(size, png::BitDepth::Two, &palette, rows);
+    put(
+        folder,
+        "beyond.png",
+        indexed([2, 2], &[0b0001_0000, 0b0110_0000]),
+    );
+    put(folder, "wide.png", indexed([16_385, 1], &[]));
+    put(folder, "vast.png", indexed([i32::MAX as u32; 2], &[]));
     let picture = |name, picture: DynamicImage| {
         let saved = picture.save_with_format(folder.join(name), ImageFormat::Png);
         saved.expect("it is written");
@@ -112,7 +139,7 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
         let (line, words) = rest.split_once("  ->  ").expect("words");
         let line = line.replace("LONG", &"n".repeat(300));
         let status = status.parse().expect("a number");
-        assert_failed(&run(folder, &line), status, words);
+        assert_failed(&run(folder, &line), status, &words.replace('⏎', "\n"));
     }
     assert_eq!(listing(folder), before);
     assert_eq!(get(folder, "a.toml"), SCENE.as_bytes());

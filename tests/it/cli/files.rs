@@ -152,6 +152,42 @@ mod unix {
         assert!(judged.status.success(), "{}", said(&judged));
     }
 
+    #[test]
+    fn an_open_descriptor_is_written_and_its_file_is_not_replaced() {
+        let folder = folder();
+        let mut ways = vec![
+            ("exec 3>f; echo before >&3; $0", "/dev/fd/3", "before\n"),
+            ("exec 3>>f; echo before >&3; $0", "/dev/fd/3", "before\n"),
+            ("exec 2>f; $0", "/dev/stderr", ""),
+            ("exec 2>f; $0", "/dev/fd/2", ""),
+            ("exec >f; echo before; $0", "/dev/stdout", "before\n"),
+        ];
+        if Path::new("/proc/thread-self").exists() {
+            ways.push((
+                "exec 3>f; echo before >&3; $0",
+                "/proc/thread-self/fd/3",
+                "before\n",
+            ));
+            ways.push((
+                "exec >f; echo before; $0",
+                "/proc/thread-self/fd/1",
+                "before\n",
+            ));
+        }
+        for (before, path, words) in ways {
+            let output = in_shell(folder.path(), &format!("rm -f f; {before} {SMALL} {path}"));
+            assert!(output.status.success(), "{path}: {}", said(&output));
+            let written = get(folder.path(), "f");
+            let png = written.strip_prefix(words.as_bytes());
+            let png = png.unwrap_or_else(|| panic!("{path}: {} is lost", words.trim()));
+            decode(png);
+            // The report follows the picture on standard error.
+            let has_report = String::from_utf8_lossy(png).contains("wrote ");
+            assert_eq!(has_report, before.contains("2>f"), "{path}");
+        }
+        assert_eq!(listing(folder.path()), ["f"]);
+    }
+
     /// The superuser ignores permissions, so the program is run as another user then.
     #[test]
     fn a_folder_or_file_without_write_permission_is_an_error() {

@@ -51,6 +51,39 @@ fn no_name_or_path_moves_the_cursor() {
 }
 
 #[test]
+fn a_name_with_a_line_break_is_told_on_one_line() {
+    let folder = folder();
+    put(folder.path(), "a\nb.toml", SCENE);
+    put(folder.path(), "a\nwrong.toml", "colour = 1");
+    for (words, told) in [
+        (
+            vec!["render", "a\nb.toml", "-o", "c\nd.png"],
+            "wrote c\\nd.png: ",
+        ),
+        (
+            vec!["render", "a\nwrong.toml", "-o", "-"],
+            "a\\nwrong.toml:1:1: ",
+        ),
+        (vec!["render", "-o", "no\nne/a.png"], "no folder no\\nne\n"),
+        (
+            vec!["prove", "--picture", "a\nb.toml"],
+            "a\\nb.toml is not a PNG",
+        ),
+        (vec!["a\nb.toml"], "a\\nb.toml"),
+        (
+            vec!["prove", "a\nb.toml", "--size", "9x9"],
+            "a\\nb.toml, camera",
+        ),
+    ] {
+        let mut command = shadetrade(folder.path());
+        let output = command.args(&words).output();
+        let output = output.expect("the program starts");
+        let text = said(&output) + &String::from_utf8_lossy(&output.stdout);
+        assert!(text.contains(told), "{words:?}: {text}");
+    }
+}
+
+#[test]
 fn a_missing_name_is_answered_with_a_short_list_of_names() {
     let folder = folder();
     let more = |index: usize| {

@@ -63,6 +63,11 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
     let (picture, words) = draw("held.toml");
     assert!(picture == exact && words.contains("xact Phong"), "{words}");
     assert!(!words.contains("over the budget"), "{words}");
+    // Its time is measured once: with three digits it is the same number.
+    let times = words.split(" ms").map(|it| it.rsplit(' ').next());
+    let times: Vec<f64> = times.flatten().filter_map(|it| it.parse().ok()).collect();
+    assert_eq!(times.len(), 3, "{words}");
+    assert!((times[1] / times[2] - 1.0).abs() < 0.01, "{words}");
     // The most samples of one pixel take less than the second for timing.
     let (_, words) = draw_at("1x1", "--budget 0.001");
     assert!(words.contains("over the budget"), "{words}");
@@ -70,6 +75,44 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
     for option in ["--tolerance 0.5", "--shading gouraud"] {
         let (picture, words) = draw(&format!("held.toml {option}"));
         assert!(picture == usual && !words.contains("budget"), "{words}");
+    }
+}
+
+#[test]
+fn an_empty_picture_says_why() {
+    let folder = folder();
+    let away =
+        |position: &str| SCENE.replace("target = [0.0, 0.0, 0.0]", &format!("target = {position}"));
+    put(
+        folder.path(),
+        "near.toml",
+        SCENE.replace("# near = 0.01", "near = 100"),
+    );
+    put(folder.path(), "behind.toml", away("[14.0, 10.0, 16.0]"));
+    put(folder.path(), "beside.toml", away("[-8.0, 5.0, 8.0]"));
+    for (line, words) in [
+        (
+            "render near.toml -o a.png",
+            "the cuboid lies before the near plane (100.0)",
+        ),
+        ("render behind.toml -o a.png --reference", "behind the eye"),
+        ("prove beside.toml", "beside the picture"),
+        (
+            "trade near.toml --quick --methods phong-0",
+            "before the near plane",
+        ),
+        (
+            "render extremes/eye-inside -o a.png",
+            "its inside is not drawn",
+        ),
+        ("render -o a.png", ""),
+    ] {
+        let said = assert_works(folder.path(), &format!("{line} --size 80x60"));
+        let reason = said
+            .lines()
+            .find_map(|line| line.strip_prefix("nothing is seen: "));
+        assert_eq!(reason.is_some(), !words.is_empty(), "{line}: {said}");
+        assert!(reason.unwrap_or_default().contains(words), "{line}: {said}");
     }
 }
 
