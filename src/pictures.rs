@@ -16,25 +16,33 @@ use crate::memory;
 use crate::output::{Output, say};
 use crate::report::progress::{bands, with_bar};
 use crate::report::words::counted;
-use crate::trade::{budget, timing};
+use crate::trade::batch::time_here;
+use crate::trade::budget;
+use crate::trade::timing::{self, Timing};
 use crate::{reference, simd, systems};
 
 /// Draws one picture into `output` and reports it, with the time of a frame, on standard error.
+///
+/// Of a method that a budget has chosen this is the time by which it was chosen.
 ///
 /// # Errors
 /// If the picture does not fit in memory or cannot be written.
 pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut view = drawing.view();
-    if let Some(budget) = viewer(&drawing.scene.world).budget
-        && let Some((method, text)) = budget::choose(drawing, budget)?
-    {
-        view = method.view(&view);
+    let budget = viewer(&drawing.scene.world).budget;
+    let chosen = budget.map(|budget| budget::choose(drawing, budget, time_here));
+    let chosen = chosen.transpose()?.flatten();
+    if let (Some(budget), Some((one, text))) = (budget, &chosen) {
+        view = one.method.view(&view);
         say(&format!("a budget of {budget} ms chooses {text}"));
     }
     let mut frame = Frame::new(Keep::Display, drawing.workers()?);
-    let times = timing::batch(0, 1, Duration::ZERO, |_| {
-        Ok(systems::draw(&mut drawing.scene.world, &view, &mut frame)?)
-    })?;
+    let world = &mut drawing.scene.world;
+    let mut draw = |_| systems::draw(world, &view, &mut frame).map_err(anyhow::Error::from);
+    let timing = match chosen {
+        Some((one, _)) => draw(0).map(|()| one.timing),
+        None => timing::batch(0, 1, Duration::ZERO, draw).map(|times| Timing::of(&times)),
+    }?;
     output.write_png(frame.pixels(), frame.size())?;
     let [width, height] = frame.size();
     say(&format!(
@@ -42,11 +50,12 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
          (median of {}, PNG apart; {}, {})",
         output.name(),
         counted(frame.counts().covered_pixels as usize, "pixel"),
-        timing::median(&times[0]),
-        counted(times[0].len(), "warm frame"),
+        timing.median,
+        counted(timing.samples, "warm frame"),
         counted(frame.workers().threads(), "thread"),
         simd::name(frame.workers().level()),
     ));
+    drawing.say_if_unseen(frame.counts().covered_pixels);
     Ok(())
 }
 
@@ -77,5 +86,6 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
         counted(covered, "pixel"),
         time.as_secs_f64()
     ));
+    drawing.say_if_unseen(covered as u64);
     Ok(())
 }

@@ -14,8 +14,7 @@
 //!       |        o      x
 //!       +---------------- time
 //! ```
-//! The methods on the front are the best trades. A method is beaten if another errs less in a median time that is no longer, or
-//! errs as much and is measurably faster.
+//! The methods on the front are the best trades: every faster method errs more, and every more exact one is slower.
 
 pub mod accuracy;
 pub mod batch;
@@ -29,10 +28,8 @@ pub mod plot;
 pub mod timing;
 pub mod verdict;
 
-use std::fs;
 use std::path::Path;
 
-use anyhow::Context;
 use rayon::prelude::*;
 
 use self::machine::Machine;
@@ -40,11 +37,11 @@ pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
 use crate::components::ShadingMode;
 use crate::drawing::camera_name;
-use crate::output::{self, Output, quoted};
+use crate::output::{self, Output, one_line, quoted};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::report::words::counted;
-use crate::shading::{METHODS, Method};
+use crate::shading::Method;
 
 /// The files of a report, besides error maps.
 pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
@@ -89,11 +86,15 @@ pub fn measure(
 /// Errors with a smaller difference, in levels, are equal. The rounding of the reference in f64 is far smaller.
 const RESOLUTION: f64 = 1e-6;
 
-/// Marks the methods on the front. A method without an error is not, nor is interpolation of unit vectors, whose time is not
-/// comparable.
+/// Whether the time of a method is comparable. The assignment's shortcut is evaluated in f64 by its definition, and not as a
+/// renderer would that saves time by it.
+pub fn is_timed(method: Method) -> bool {
+    method.mode != ShadingMode::UnitVectors
+}
+
+/// Marks the methods on the front. A method without an error or without a comparable time is not on it.
 pub fn mark_front(methods: &mut [Measurement]) {
-    let is_comparable =
-        |it: &&Measurement| it.error.is_some() && it.method.mode != ShadingMode::UnitVectors;
+    let is_comparable = |it: &&Measurement| it.error.is_some() && is_timed(it.method);
     for index in 0..methods.len() {
         let one = &methods[index];
         let mut others = methods.iter().filter(is_comparable);
@@ -108,12 +109,11 @@ pub fn front<'a>(methods: impl IntoIterator<Item = &'a Measurement>) -> Vec<&'a 
     front
 }
 
+/// Whether `one` errs no more and takes no more time, and less of one of the two.
 fn beats(one: &Measurement, other: &Measurement) -> bool {
     let steps = |it: &Measurement| it.largest_error().map(|error| (error / RESOLUTION).round());
-    let [mine, theirs] = [one, other].map(steps);
-    mine <= theirs
-        && one.timing.median <= other.timing.median
-        && (mine < theirs || one.timing.is_measurably_less_than(&other.timing))
+    let [mine, theirs] = [one, other].map(|it| (steps(it), it.timing.median));
+    mine.0 <= theirs.0 && mine.1 <= theirs.1 && mine != theirs
 }
 
 /// Measures the methods of a request for a report.
@@ -151,12 +151,13 @@ pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
     }
     let report = with_bar(|monitor| measure_report(request, batch::time_in_a_process, monitor))?;
     Output::Stdout.write(export::table(&report))?;
+    request.drawing.say_if_unseen(report.covered_pixels);
     if let Some(folder) = out {
         write_files(&report, folder)?;
         output::say(&format!(
             "wrote trade.json, trade.md, trade.svg and {} into {}",
             counted(report.methods.len(), "error map"),
-            folder.display()
+            one_line(folder)
         ));
     }
     Ok(())
@@ -174,18 +175,11 @@ pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
     ];
     let files: Vec<_> = FILES.into_iter().zip(texts).collect();
     output::write_texts(folder, &files)?;
-    METHODS.par_iter().try_for_each(|Method { id, .. }| {
+    report.methods.par_iter().try_for_each(|one| {
+        let id = one.method.id;
+        let title = format!("{id}: error against exact Phong, in levels");
+        let (pixels, size) = error_map::with_legend(&one.map, report.size, &title);
         let path = folder.join(format!("error-{id}.png"));
-        let measured = report.methods.iter().find(|it| it.method.id == *id);
-        if let Some(one) = measured {
-            let title = format!("{id}: error against exact Phong, in levels");
-            let (pixels, size) = error_map::with_legend(&one.map, report.size, &title);
-            return Output::File(path).write_png(&pixels, size);
-        }
-        // A map of an earlier report does not belong to this one.
-        if path.is_file() {
-            fs::remove_file(&path).with_context(|| format!("cannot remove {}", path.display()))?;
-        }
-        Ok(())
+        Output::File(path).write_png(&pixels, size)
     })
 }

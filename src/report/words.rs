@@ -36,6 +36,27 @@ pub fn interval(ends: [f64; 2], text: impl Fn(f64) -> String) -> String {
     }
 }
 
+/// How fast one thing is against another, from the ranges of their times: "2.1 to 2.3 times as fast as". Ranges that overlap,
+/// or come as near as half a percent, are no measurable difference.
+pub fn pace(one: [f64; 2], other: [f64; 2]) -> String {
+    let (fast, slow, word) = if one[1] < other[0] {
+        (one, other, "fast")
+    } else {
+        (other, one, "slow")
+    };
+    let [least, most] = [slow[0] / fast[1], slow[1] / fast[0]];
+    // Just above 1, three digits.
+    let text = |ratio| rounded(ratio, if ratio < 1.1 { 2 } else { 1 }).to_string();
+    if least.is_nan() || least < 1.005 {
+        "no measurable difference in time from".to_owned()
+    } else if most.is_finite() {
+        format!("{} times as {word} as", interval([least, most], text))
+    } else {
+        // The smaller time is too short for the clock.
+        format!("{word}er than")
+    }
+}
+
 /// The text with a capital letter first.
 pub fn capital(text: &str) -> String {
     let (first, rest) = text.split_at(text.chars().next().map_or(0, char::len_utf8));
@@ -50,6 +71,34 @@ pub fn counted(number: usize, noun: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_pace_is_the_range_of_the_ratios_of_two_times() {
+        for (one, other, text) in [
+            ([1.0, 1.1], [2.2, 4.4], "2 to 4.4 times as fast as"),
+            ([2.2, 4.4], [1.0, 1.1], "2 to 4.4 times as slow as"),
+            ([0.162, 0.164], [0.339, 0.343], "2.1 times as fast as"),
+            ([1.0, 1.0], [1.04, 1.2], "1.04 to 1.2 times as fast as"),
+            (
+                [1.0, 2.0],
+                [1.9, 9.0],
+                "no measurable difference in time from",
+            ),
+            (
+                [1.0, 1.0],
+                [1.004, 1.1],
+                "no measurable difference in time from",
+            ),
+            (
+                [0.0, 0.0],
+                [0.0, 0.0],
+                "no measurable difference in time from",
+            ),
+            ([0.0, 0.0], [0.1, 0.2], "faster than"),
+        ] {
+            assert_eq!(pace(one, other), text);
+        }
+    }
 
     #[test]
     fn a_short_number_has_three_digits_at_most() {

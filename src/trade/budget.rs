@@ -9,9 +9,8 @@
 
 use std::time::Duration;
 
-use super::batch::time_here;
 use super::verdict::method_name;
-use super::{Measurement, Request, front, measure};
+use super::{Measurement, Request, TimeBatch, front, is_timed, measure};
 use crate::drawing::Drawing;
 use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
@@ -64,20 +63,24 @@ pub fn over(time: f64, budget: f64) -> String {
     }
 }
 
-/// Measures the methods of `drawing` and returns the result of [`held`] for a budget in milliseconds.
+/// Measures the methods for `drawing` and returns the one that holds a budget in milliseconds, as [`held`] does.
 ///
 /// # Errors
 /// If memory or threads do not suffice.
-pub fn choose(drawing: &Drawing, budget: f64) -> anyhow::Result<Option<(Method, String)>> {
+pub fn choose(
+    drawing: &Drawing,
+    budget: f64,
+    time_batch: TimeBatch,
+) -> anyhow::Result<Option<(Measurement, String)>> {
     let request = Request {
         drawing: Drawing {
             scene: drawing.scene.snapshot(),
             ..*drawing
         },
-        methods: METHODS.to_vec(),
+        methods: METHODS.iter().copied().filter(|it| is_timed(*it)).collect(),
         time: MEASURING_TIME,
         is_report: false,
     };
-    let measured = with_bar(|monitor| measure(&request, &[], time_here, monitor))?;
-    Ok(held(&measured, budget).map(|(one, text)| (one.method, text)))
+    let measured = with_bar(|monitor| measure(&request, &[], time_batch, monitor))?;
+    Ok(held(&measured, budget).map(|(one, text)| (one.clone(), text)))
 }

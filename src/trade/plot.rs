@@ -136,7 +136,7 @@ const LABEL: f64 = 12.0;
 fn front_line(methods: &[&Measurement], end: f64) -> Vec<(f64, f64)> {
     let mut least = ERRORS.end;
     let mut line = Vec::new();
-    // Of two best trades the slower errs less, or as much.
+    // Of two best trades the slower errs less.
     for (time, error) in front(methods.iter().copied()).into_iter().map(place_of) {
         line.extend([(time, least), (time, error)]);
         least = error;

@@ -9,8 +9,6 @@
 //!           turn 2   - B B B   - C C C   - A A A   ...
 //! batch 2   turn 1   ...
 //! ```
-//!
-//! A time is measurably less than another if their intervals do not overlap.
 
 use std::time::{Duration, Instant};
 
@@ -60,11 +58,6 @@ impl Timing {
             min: raw.iter().copied().fold(f64::INFINITY, f64::min),
             raw,
         }
-    }
-
-    /// Whether this time is less than `other` beyond doubt.
-    pub fn is_measurably_less_than(&self, other: &Timing) -> bool {
-        self.interval[1] < other.interval[0]
     }
 }
 

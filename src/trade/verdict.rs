@@ -1,17 +1,14 @@
 //! Sentences that compare the times and the errors of methods.
 //!
-//! Every word follows from a measured number. Times with overlapping intervals are called alike, or perhaps different if their
-//! medians are far apart.
+//! Every word follows from a measured number.
 
 use super::measurement::Measurement;
 use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
-use crate::report::words::{capital, rounded, short};
+use crate::report::words::{capital, pace, short};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
 pub const UNSEEN: f64 = 0.5;
-/// Times with a larger ratio are not called alike, however wide their intervals are.
-const ALIKE: f64 = 1.2;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
 /// The sentences about Gouraud, Phong within half a level and the assignment's shortcut, if they were measured.
@@ -34,8 +31,9 @@ pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     let gouraud = find(measured, Gouraud, UNSEEN).filter(|_| shown.method.mode == Phong);
     Some(match gouraud {
         Some(gouraud) => {
-            let (pace, error) = (pace(gouraud, shown), short(gouraud.largest_error()));
-            format!("{text} Gouraud is {pace} this, off by {error}.")
+            let pace = pace(gouraud.timing.interval, shown.timing.interval);
+            let error = short(gouraud.largest_error());
+            format!("{text} Gouraud: {pace} this, off by {error}.")
         }
         None => text,
     })
@@ -58,31 +56,11 @@ fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String
     Some(match rival {
         // The shortcut is evaluated by its definition, so its time is not that of a renderer that uses it.
         Some(rival) if shown.method.mode != UnitVectors => {
-            let pace = pace(shown, rival);
+            let pace = pace(shown.timing.interval, rival.timing.interval);
             format!("{name}: {pace} {}, {error}.", method_name(rival.method))
         }
         _ => format!("{name}: {error}."),
     })
-}
-
-/// "2.3 times faster than", "about as fast as", "perhaps 1.4 times faster than".
-fn pace(one: &Measurement, other: &Measurement) -> String {
-    let (one, other) = (&one.timing, &other.timing);
-    let (ratio, word) = if one.median < other.median {
-        (other.median / one.median, "faster")
-    } else {
-        (one.median / other.median, "slower")
-    };
-    let is_sure = one.is_measurably_less_than(other) || other.is_measurably_less_than(one);
-    // Just above 1, three digits.
-    let times = rounded(ratio, if ratio < 1.1 { 2 } else { 1 });
-    match is_sure {
-        true if ratio.is_finite() => format!("{times} times {word} than"),
-        // The smaller time is too short for the clock.
-        true => format!("{word} than"),
-        false if ratio > ALIKE => format!("perhaps {times} times {word} than"),
-        false => "about as fast as".to_owned(),
-    }
 }
 
 /// A method in words: "Phong within half a level".

@@ -9,7 +9,7 @@ use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Facts, Latest, Question, Work};
 use super::pictures::{sides, view_at};
-use crate::components::{Mesh, ShadingMode, Side, Tab, View, ViewMode, Viewer, common_mode};
+use crate::components::{Mesh, Side, Tab, View, ViewMode, Viewer, common_mode};
 use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
@@ -18,7 +18,7 @@ use crate::requires::{part_changes, ranked};
 use crate::scene::Scene;
 use crate::shading::{METHODS, Method};
 use crate::trade::batch::time_here;
-use crate::trade::{Measurement, Request, measure};
+use crate::trade::{Measurement, Request, is_timed, measure};
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
@@ -197,9 +197,9 @@ impl App {
     fn wanted_methods(&self) -> Vec<Method> {
         let sides = sides(&self.viewer()).into_iter();
         let sides = sides.filter_map(|side| self.side_method(&side));
-        // The assignment's shortcut is no way to save time, and its frames take so long that they would delay a key.
-        let mut methods = METHODS.to_vec();
-        methods.retain(|it| it.mode != ShadingMode::UnitVectors);
+        // The frames of the other one take so long that they would delay a key.
+        let timed = METHODS.iter().copied().filter(|it| is_timed(*it));
+        let mut methods: Vec<Method> = timed.collect();
         for method in self.method().into_iter().chain(sides) {
             if !methods.contains(&method) {
                 methods.push(method);

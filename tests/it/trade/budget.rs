@@ -1,8 +1,14 @@
 //! The choice of a method for a time, on costs that nobody measured.
 
-use shadetrade::components::ShadingMode::{Gouraud, Phong};
+use fearless_simd::Level;
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use shadetrade::drawing::Drawing;
+use shadetrade::report::Monitor;
+use shadetrade::scene::Scene;
 use shadetrade::shading::Method;
-use shadetrade::trade::budget::{after, best_trades, fitting, held};
+use shadetrade::trade::Request;
+use shadetrade::trade::budget::{after, best_trades, choose, fitting, held};
+use shadetrade::trade::timing::Batch;
 
 use super::example::live;
 
@@ -57,4 +63,28 @@ fn best_trades_are_ordered_from_the_fastest_on() {
     assert!(text.contains("0.050 ms over the budget; nothing"), "{text}");
     assert!(text.contains("165"), "{text}");
     assert!(held(&[], 1.0).is_none());
+}
+
+/// Pretends that each method takes 1 ms.
+fn pretended(request: &Request, _: usize, _: Monitor) -> anyhow::Result<Batch> {
+    let modes = request.methods.iter().map(|it| it.mode);
+    assert!(
+        { modes }.all(|mode| mode != UnitVectors),
+        "a budget cannot choose it"
+    );
+    Ok(vec![vec![1.0; 4]; request.methods.len()])
+}
+
+#[test]
+fn only_methods_that_can_be_chosen_are_timed() {
+    let drawing = Drawing {
+        scene: Scene::load(None).expect("it is built in"),
+        size: [40, 30],
+        threads: 1,
+        level: Level::new(),
+    };
+    let chosen = choose(&drawing, 2.0, pretended).expect("it is small");
+    let (chosen, text) = chosen.expect("a cuboid is drawn");
+    assert_eq!((chosen.method.mode, chosen.timing.median), (Phong, 1.0));
+    assert!(text.contains("1.00 ms"), "{text}");
 }
