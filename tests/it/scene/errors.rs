@@ -73,7 +73,7 @@ Names, and values that do not go together.
 21 ¦ height = 1e100⏎orbit.zoom = 10   ¦ 22:14 ¦ `camera.orbit.zoom` ¦ zoom
 22 ¦ [view]⏎camera = "2"               ¦ 23:10 ¦ `view.camera` ¦ "2"
 22 ¦ [view]⏎tolerance = 2⏎budget = 2   ¦ 24:10 ¦ `view.budget` ¦ tolerance
-22 ¦ view.budget = 2⏎view.tolerance = 0.5 ¦ 22:15 ¦ `view.budget` ¦ tolerance
+ 1 ¦ view.budget = 2⏎view.tolerance = 0.5 ¦ 1:15 ¦ `view.budget` ¦ tolerance
 
 What is no TOML.
 12 ¦ kind = diffuse                    ¦ 12:8  ¦ diffuse ¦ ^^^^^^^

@@ -80,7 +80,25 @@ pub fn light(random: &mut Random) -> LightRecord {
     }
 }
 
+/// A camera whose numbers fit together.
 pub fn camera(random: &mut Random) -> CameraRecord {
+    let mut scene = SceneRecord {
+        cuboid: vec![records::cuboid("cuboid", [1.0; 3], [0.0; 3])],
+        ..SceneRecord::default()
+    };
+    let name = name(random);
+    loop {
+        scene.camera = vec![any_camera(random)];
+        if scene.check().is_ok() {
+            return CameraRecord {
+                name,
+                ..scene.camera.remove(0)
+            };
+        }
+    }
+}
+
+fn any_camera(random: &mut Random) -> CameraRecord {
     let [position, target, up] = [(); 3].map(|()| three(random, &Coordinate::RANGE));
     let sees = [
         number(random, &FieldOfView::RANGE),
@@ -95,7 +113,7 @@ pub fn camera(random: &mut Random) -> CameraRecord {
         up,
         near: maybe(random, |random| number(random, &Length::RANGE)),
         orbit: orbit.unwrap_or_default(),
-        ..records::camera(name(random), position, target, sees)
+        ..records::camera("camera", position, target, sees)
     }
 }
 
@@ -158,9 +176,9 @@ pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
     record
 }
 
-/// A legal record. A random view is almost never parallel to `up`.
+/// A legal record.
 pub fn record() -> impl Strategy<Value = SceneRecord> {
-    let record = any::<u64>().prop_map(|seed| {
+    any::<u64>().prop_map(|seed| {
         let random = &mut Random(seed);
         let [cuboids, lights, cameras] = [0, 1, 0].map(|least| least..1 + random.below(3));
         let mut record = with_own_names(SceneRecord {
@@ -173,8 +191,5 @@ pub fn record() -> impl Strategy<Value = SceneRecord> {
         let active = random.below(record.camera.len());
         record.view.camera = (active > 0).then(|| record.camera[active].name.clone());
         record
-    });
-    record.prop_filter("the numbers of a camera fit together", |record| {
-        record.check().is_ok()
     })
 }
