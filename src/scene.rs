@@ -178,7 +178,7 @@ fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Resu
         let hint = match (cause.kind(), kind) {
             (ErrorKind::NotFound, "scene") => {
                 let names = names.join(", ");
-                format!("; built in are {names} and what `shadetrade extremes` lists")
+                format!("; built in are {names} and what `shadetrade extremes --list` names")
             }
             (ErrorKind::NotFound, _) => format!("; built in are {}", names.join(", ")),
             _ => String::new(),

@@ -92,13 +92,22 @@ pub fn is_timed(method: Method) -> bool {
     method.mode != ShadingMode::UnitVectors
 }
 
-/// Marks the methods on the front. A method without an error or without a comparable time is not on it.
+/// Marks the methods on the front. From the fastest on, each of them errs less than all before. A method without an error or
+/// without a comparable time is not on it.
 pub fn mark_front(methods: &mut [Measurement]) {
-    let is_comparable = |it: &&Measurement| it.error.is_some() && is_timed(it.method);
-    for index in 0..methods.len() {
-        let one = &methods[index];
-        let mut others = methods.iter().filter(is_comparable);
-        methods[index].on_front = is_comparable(&one) && !others.any(|other| beats(other, one));
+    let steps = |it: &Measurement| {
+        let error = it.largest_error().filter(|_| is_timed(it.method));
+        error.map_or(f64::INFINITY, |error| (error / RESOLUTION).round())
+    };
+    let mut methods: Vec<&mut Measurement> = methods.iter_mut().collect();
+    methods.sort_by(|one, other| {
+        let by_time = one.timing.median.total_cmp(&other.timing.median);
+        by_time.then(steps(one).total_cmp(&steps(other)))
+    });
+    let mut least = f64::INFINITY;
+    for one in methods {
+        one.on_front = steps(one) < least;
+        least = least.min(steps(one));
     }
 }
 
@@ -107,13 +116,6 @@ pub fn front<'a>(methods: impl IntoIterator<Item = &'a Measurement>) -> Vec<&'a 
     let mut front: Vec<_> = methods.into_iter().filter(|it| it.on_front).collect();
     front.sort_by(|one, other| one.timing.median.total_cmp(&other.timing.median));
     front
-}
-
-/// Whether `one` errs no more and takes no more time, and less of one of the two.
-fn beats(one: &Measurement, other: &Measurement) -> bool {
-    let steps = |it: &Measurement| it.largest_error().map(|error| (error / RESOLUTION).round());
-    let [mine, theirs] = [one, other].map(|it| (steps(it), it.timing.median));
-    mine.0 <= theirs.0 && mine.1 <= theirs.1 && mine != theirs
 }
 
 /// Measures the methods of a request for a report.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! intensity = 100000000000000000000      as in the file
-//! intensity = 1e0000000000000000020      to be read: the same place and length
+//! intensity = 10000000000000000e004      to be read: the same place and length
 //! intensity = "?100000000000000000000"   to be edited, and back; "? is MARK
 //! ```
 
@@ -18,18 +18,18 @@ const MARK: &str = "\"\u{e000}";
 /// The text with its large whole numbers as floats of the same length, so that places in it are those in the text.
 pub fn as_floats(text: &str) -> Cow<'_, str> {
     rewritten(text, |token, value| {
+        let width = token.len();
         if value.is_infinite() {
-            return format!("{:<1$}", format!("{value}"), token.len());
+            return format!("{value:<width$}");
         }
-        let scientific = format!("{value:e}");
-        let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-        let decimals = digits.split_once('.').map_or(0, |(_, it)| it.len() as i32);
-        let exponent = exponent.parse().unwrap_or(0) - decimals;
-        let digits = digits.replace('.', "");
-        // Up to 64 bits a number is read as it is. In base 16 it may be shorter than its float.
-        let room = token.len().saturating_sub(digits.len() + 1);
+        // Seventeen digits are those of no other float.
+        let scientific = format!("{value:.16e}").replace('.', "");
+        let (digits, exponent) = scientific.split_once('e').unwrap_or_default();
+        let exponent = exponent.parse().unwrap_or(0) - 16;
+        let room = width.saturating_sub(digits.len() + 1);
         let float = format!("{digits}e{exponent:0room$}");
-        if float.len() > token.len() {
+        // In base 16 a number of 64 bits is shorter, and read as it is.
+        if float.len() > width {
             token.to_owned()
         } else {
             float

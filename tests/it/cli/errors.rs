@@ -1,8 +1,10 @@
 //! Wrong command lines, scenes and files: exit status 1 or 2, one paragraph with the reason, and nothing is written.
 
+use std::ffi::OsString;
 use std::fs;
 
 use image::{DynamicImage, ImageFormat};
+use shadetrade::cli;
 
 use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
 use crate::support::indexed::indexed;
@@ -159,5 +161,20 @@ fn a_simd_level_is_either_used_or_refused() {
             let words = format!("{level}|this machine|fallback");
             assert_failed(&run(folder.path(), &line), 2, &words);
         }
+    }
+}
+
+#[test]
+fn no_number_has_a_blank() {
+    for (option, value) in [
+        ("--size", " 1x1"),
+        ("--size", "1x1 "),
+        ("--size", "1 x1"),
+        ("--tolerance", " 1"),
+        ("--budget", "1 "),
+        ("--threads", " 1"),
+    ] {
+        let words = ["shadetrade", "view", option, value].map(OsString::from);
+        assert!(cli::parse(words).is_err(), "{option} {value:?}");
     }
 }

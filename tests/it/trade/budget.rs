@@ -3,12 +3,9 @@
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::drawing::Drawing;
-use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::Method;
-use shadetrade::trade::Request;
 use shadetrade::trade::budget::{after, best_trades, choose, fitting, held};
-use shadetrade::trade::timing::Batch;
 
 use super::example::live;
 
@@ -65,16 +62,6 @@ fn best_trades_are_ordered_from_the_fastest_on() {
     assert!(held(&[], 1.0).is_none());
 }
 
-/// Pretends that each method takes 1 ms.
-fn pretended(request: &Request, _: usize, _: Monitor) -> anyhow::Result<Batch> {
-    let modes = request.methods.iter().map(|it| it.mode);
-    assert!(
-        { modes }.all(|mode| mode != UnitVectors),
-        "a budget cannot choose it"
-    );
-    Ok(vec![vec![1.0; 4]; request.methods.len()])
-}
-
 #[test]
 fn only_methods_that_can_be_chosen_are_timed() {
     let drawing = Drawing {
@@ -83,7 +70,16 @@ fn only_methods_that_can_be_chosen_are_timed() {
         threads: 1,
         level: Level::new(),
     };
-    let chosen = choose(&drawing, 2.0, pretended).expect("it is small");
+    // Each is said to take 1 ms.
+    let chosen = choose(&drawing, 2.0, |request, _, _| {
+        let mut modes = request.methods.iter().map(|it| it.mode);
+        assert!(
+            modes.all(|mode| mode != UnitVectors),
+            "no budget chooses it"
+        );
+        Ok(vec![vec![1.0; 4]; request.methods.len()])
+    });
+    let chosen = chosen.expect("it is small");
     let (chosen, text) = chosen.expect("a cuboid is drawn");
     assert_eq!((chosen.method.mode, chosen.timing.median), (Phong, 1.0));
     assert!(text.contains("1.00 ms"), "{text}");

@@ -1,6 +1,9 @@
 //! The words of the verdict, which must agree with the numbers.
 
+use serde::Deserialize;
+use serde_json::Value;
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
+use shadetrade::report::words::pace;
 use shadetrade::shading::Method;
 use shadetrade::trade::Measurement;
 use shadetrade::trade::verdict::{sentence, verdict};
@@ -103,5 +106,25 @@ fn the_verdict_is_about_the_methods_that_were_measured() {
         let alone = verdict(&report.methods[..1]);
         let mut others = ["fast", "unit"].into_iter();
         assert!(!others.any(|word| alone.contains(word)), "{alone}");
+    }
+}
+
+#[test]
+fn the_front_page_has_the_words_of_its_measurement() {
+    let report = include_str!("../../../assets/trade/trade.json");
+    let report: Value = serde_json::from_str(report).expect("JSON");
+    let times = |id: &str| {
+        let methods = report["methods"].as_array().expect("a list");
+        let one = methods.iter().find(|it| it["id"] == id).expect(id);
+        <[f64; 2]>::deserialize(&one["ms"]["interval"]).expect("a range")
+    };
+    let page = include_str!("../../../README.md");
+    let page: Vec<&str> = page.split_whitespace().collect();
+    for (one, id, other) in [
+        ("Gouraud is", "gouraud-0.5", "phong-0.5"),
+        ("Phong within half a level is", "phong-0.5", "phong-0"),
+    ] {
+        let words = format!("{one} {} Phong", pace(times(id), times(other)));
+        assert!(page.join(" ").contains(&words), "{words}");
     }
 }
