@@ -166,7 +166,7 @@ fn the_text_shows_every_value_in_rows() {
     // At an edge the reference may see another triangle, or another face.
     let surface = probe.surface.as_mut().expect("set above");
     let other = surface.triangle ^ 1;
-    surface.sample.as_mut().expect("the same face").triangle = other as usize;
+    surface.sample.as_mut().expect("the same face").triangle = other;
     let label = format!("(reference: {other})");
     assert!(surface.triangle_label().ends_with(&label));
     surface.sample = None;
