@@ -100,7 +100,7 @@ Examples:
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
   shadetrade prove --shading phong --picture other.png -o judged.png
 
-Encloses the exact levels of every pixel by interval arithmetic. Exit status 1 if one is refuted.")]
+Encloses the exact levels of every pixel by interval arithmetic. Exit status 1 if one is not proven.")]
     Prove(ProveOptions),
     /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out
     #[command(after_help = "\

@@ -2,14 +2,15 @@
 //!
 //! ```text
 //! World --FRAME--> levels, bytes, faces ---+
-//!  or a PNG of any program --> bytes ------+--judge--> proven, refuted or undecided
+//!  or a PNG of any program --> bytes ------+--judge--> proven, undecided, a gap or refuted
 //! World --reference over intervals--> faces that each pixel may show, and their levels
 //!       --reference over f64--> the reference's own error
 //! ```
 //! An enclosure holds the exact levels of a face. Where the sign of n.l is undecided, a face has several, with and without
 //! highlights, and a pixel may show any of them. A pixel is proven if it shows a face that it may show, and every value of
 //! one of that face's enclosures is within the limit of the drawn levels. It is refuted if it shows another face, or no
-//! value is within the limit. Else it is undecided. Each byte must be the display step of a level within the limit. A PNG
+//! value is within the limit. Else it is undecided. A pixel is a gap if it fits only a face that others hide all around its
+//! centre, as at a joint of touching faces. Each byte must be the display step of a level within the limit. A PNG
 //! does not say which face a pixel shows: each one that the pixel may show is tried. Differences are rounded outwards.
 
 pub mod command;
@@ -38,16 +39,13 @@ const ROUNDING: f64 = 0.5;
 /// The most pixels in the list of examples.
 const EXAMPLES: usize = 10;
 
-/// The colours of pixels that are undecided and refuted, 0x00RRGGBB.
-pub const UNDECIDED: u32 = 0x00ff_d500;
-pub const REFUTED: u32 = 0x00ff_2020;
-
 /// The judgement of a pixel, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     Proven,
     Undecided,
+    Gap,
     Refuted,
 }
 
@@ -123,6 +121,8 @@ pub struct Proof {
     pub proven: u64,
     pub refuted: u64,
     pub undecided: u64,
+    /// Pixels that show what touching faces hide.
+    pub gaps: u64,
     /// Pixels with an edge so near that they may show either side.
     pub outline: u64,
     /// Pixels that show a cuboid.
@@ -132,7 +132,7 @@ pub struct Proof {
     pub widest_enclosure: f64,
     /// The largest possible error of the f64 reference.
     pub reference_error: f64,
-    /// The pixels that are not proven: the refuted ones first, and of these the ones with the largest errors.
+    /// The pixels that are not proven: the refuted ones first, then gaps, and of each the ones with the largest errors.
     pub examples: Vec<Example>,
     /// Row by row from the top.
     #[serde(skip)]
@@ -205,8 +205,14 @@ pub fn nearest(
 
 /// The face with which a pixel is compared: the one that it shows if it may show it, else the first that it may show.
 fn compared(shown: Option<usize>, seen: &[Seen<Interval>]) -> Option<usize> {
-    let mut faces = seen.iter().map(Seen::face);
-    faces.find(|face| *face == shown).unwrap_or(seen[0].face())
+    let mut faces = visible(seen).map(Seen::face);
+    let first = faces.clone().next().flatten();
+    faces.find(|face| *face == shown).unwrap_or(first)
+}
+
+/// The surfaces that a pixel may show.
+fn visible(seen: &[Seen<Interval>]) -> impl Iterator<Item = &Seen<Interval>> + Clone {
+    seen.iter().filter(|seen| !seen.is_hidden)
 }
 
 /// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error against the face
@@ -214,17 +220,19 @@ fn compared(shown: Option<usize>, seen: &[Seen<Interval>]) -> Option<usize> {
 pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
     let face = compared(shown.face, seen);
     let error = nearest(face, shown.levels, seen).unwrap_or([0.0, 255.0]);
+    let of_error = |error| Verdict::of(error, limit + shown.rounding);
     let of_levels = if face == shown.face {
-        Verdict::of(error, limit + shown.rounding)
+        of_error(error)
     } else {
-        Verdict::Refuted
+        let hidden = nearest(shown.face, shown.levels, seen);
+        hidden.map_or(Verdict::Refuted, |error| of_error(error).max(Verdict::Gap))
     };
     let same = seen.iter().filter(|seen| seen.face() == shown.face);
     let of_bytes = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
     let of_bytes = shown.bytes.and_then(of_bytes).unwrap_or(of_levels);
     let mark = Mark {
         verdict: of_levels.max(of_bytes),
-        is_outline: seen.iter().any(|other| other.face() != seen[0].face()),
+        is_outline: visible(seen).any(|other| other.face() != face),
         is_covered: shown.face.is_some(),
     };
     (mark, error)
@@ -248,7 +256,7 @@ impl Proof {
     /// Adds one pixel.
     fn add(&mut self, pixel: [usize; 2], shown: Shown, seen: &[Seen<Interval>], limit: f64) {
         let (mark, error) = judge(shown, seen, limit);
-        let enclosures = seen.iter().flat_map(|seen| ends(seen.levels));
+        let enclosures = visible(seen).flat_map(|seen| ends(seen.levels));
         let widths = enclosures.map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
         if mark.verdict == Verdict::Proven {
@@ -360,6 +368,7 @@ pub fn prove_at<const COUNT: usize>(
         let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
         proof.proven = count(|mark| mark.verdict == Verdict::Proven);
         proof.undecided = count(|mark| mark.verdict == Verdict::Undecided);
+        proof.gaps = count(|mark| mark.verdict == Verdict::Gap);
         proof.refuted = count(|mark| mark.verdict == Verdict::Refuted);
         proof.outline = count(|mark| mark.is_outline);
         proof.covered = count(|mark| mark.is_covered);

@@ -20,6 +20,7 @@ mod edge;
 mod geometry;
 mod illumination;
 mod interval;
+mod joint;
 mod picture;
 mod real;
 mod rule;

@@ -272,7 +272,10 @@ fn rows<R: Real + 'static>(picture: Reference<R>) -> RowSurfaces {
     Box::new(move |y| {
         let mut row = Vec::new();
         let shown = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
-        picture.row(y, |_, seen| row.push(seen.iter().map(shown).collect()));
+        picture.row(y, |_, seen| {
+            let visible = seen.iter().filter(|seen| !seen.is_hidden);
+            row.push(visible.map(shown).collect());
+        });
         row
     })
 }

@@ -162,7 +162,7 @@ pub struct ProveOptions {
     /// Judges a picture of the scene by any program: a PNG with 8 bits per channel, whose size replaces --size; `-` for standard input
     #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
     pub picture: Option<PathBuf>,
-    /// The PNG file of the verdicts: proven pixels dim, and blue at outlines, undecided ones yellow, refuted ones red
+    /// The PNG file of the verdicts: proven pixels dim, and blue at outlines, undecided ones yellow, gaps violet, refuted ones red
     #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text

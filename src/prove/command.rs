@@ -1,4 +1,5 @@
-//! The command `prove`: prints a proof as text or JSON, and writes a map of the verdicts. It fails if a pixel is refuted.
+//! The command `prove`: prints a proof as text or JSON, and writes a map of the verdicts. It fails unless every pixel is
+//! proven.
 
 use std::time::Instant;
 
@@ -6,7 +7,7 @@ use anyhow::bail;
 use serde_json::{Value, json};
 
 use super::png::PngPicture;
-use super::{Mark, Proof, REFUTED, UNDECIDED, Verdict, prove};
+use super::{Mark, Proof, Verdict, prove};
 use crate::components::{Mesh, names};
 use crate::drawing::{Drawing, camera_name};
 use crate::frame::{Frame, Keep};
@@ -15,8 +16,11 @@ use crate::report::progress::with_bar;
 use crate::report::words::{CHANNELS, counted, interval};
 use crate::{shading, systems};
 
-/// The colour of proven pixels beside an edge, 0x00RRGGBB.
+/// The colours of the map, 0x00RRGGBB: proven pixels beside an edge, and pixels that are not proven.
 const OUTLINE: u32 = 0x0026_5a78;
+const UNDECIDED: u32 = 0x00ff_d500;
+const GAP: u32 = 0x00e0_40ff;
+const REFUTED: u32 = 0x00ff_2020;
 
 /// The faces of a cuboid by the direction of their normals, before rotation.
 const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
@@ -24,7 +28,7 @@ const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 /// Proves the picture of `drawing`, or `picture` instead, prints the proof, and writes a picture of the verdicts to `map`.
 ///
 /// # Errors
-/// If a pixel is refuted, the picture does not fit in memory, or the output cannot be written.
+/// If a pixel is not proven, the picture does not fit in memory, or the output cannot be written.
 pub fn run(
     drawing: &mut Drawing,
     picture: Option<PngPicture>,
@@ -63,9 +67,12 @@ pub fn run(
     let lines = || lines(drawing, &proof, seconds).join("\n");
     print(&record, as_json, map, lines)?;
     drawing.say_if_unseen(proof.covered);
-    if proof.refuted > 0 {
-        let pixels = counted(proof.pixels, "pixel");
-        bail!("refuted: {} of {pixels}", proof.refuted);
+    let unproven = proof.pixels as u64 - proof.proven;
+    if unproven > 0 {
+        bail!(
+            "not proven: {unproven} of {}",
+            counted(proof.pixels, "pixel")
+        );
     }
     Ok(())
 }
@@ -74,6 +81,7 @@ pub fn run(
 fn color(pixel: u32, mark: Mark) -> u32 {
     match mark.verdict {
         Verdict::Refuted => REFUTED,
+        Verdict::Gap => GAP,
         Verdict::Undecided => UNDECIDED,
         Verdict::Proven if mark.is_outline => OUTLINE,
         Verdict::Proven => (pixel >> 1 & 0x007f_7f7f) - (pixel >> 3 & 0x001f_1f1f),
@@ -92,6 +100,10 @@ fn lines(drawing: &Drawing, proof: &Proof, seconds: f64) -> Vec<String> {
         format!("proven     {} of {pixels}", proof.proven),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),
+        format!(
+            "gaps       {} where touching faces leave a hole",
+            counted(proof.gaps as usize, "pixel")
+        ),
         format!(
             "outline    {} so near an edge that either side may be shown",
             counted(proof.outline as usize, "pixel")
@@ -117,7 +129,10 @@ fn lines(drawing: &Drawing, proof: &Proof, seconds: f64) -> Vec<String> {
     }
     for example in &proof.examples {
         let [x, y] = example.pixel;
-        let verdict = example.verdict.name();
+        let verdict = match example.verdict {
+            Verdict::Gap => "a gap".to_owned(),
+            verdict => verdict.name(),
+        };
         let [drawn, face] = [example.drawn_face, example.face].map(|it| face(drawing, it));
         let instead = if drawn == face {
             String::new()

@@ -1,14 +1,14 @@
 //! The order of the pixels that a proof lists, and a tied gate.
 
-use super::Verdict::{Refuted, Undecided};
+use super::Verdict::{Gap, Refuted, Undecided};
 use super::*;
 use crate::components::{Projection, ShadingMode};
 use crate::scene::Scene;
 
 #[test]
-fn refuted_pixels_come_first_and_of_these_the_ones_that_err_most() {
+fn refuted_pixels_come_first_then_gaps_and_of_each_the_ones_that_err_most() {
     let mut proof = Proof::default();
-    for (verdict, least) in [(Undecided, 9.0), (Refuted, 1.0), (Refuted, 2.0)] {
+    for (verdict, least) in [(Undecided, 9.0), (Gap, 5.0), (Refuted, 1.0), (Refuted, 2.0)] {
         let example = Example {
             pixel: [0; 2],
             verdict,
@@ -28,7 +28,8 @@ fn refuted_pixels_come_first_and_of_these_the_ones_that_err_most() {
         .iter()
         .map(|it| (it.verdict, it.error[0]))
         .collect();
-    assert_eq!(found, [(Refuted, 2.0), (Refuted, 1.0), (Undecided, 9.0)]);
+    let expected = [(Refuted, 2.0), (Refuted, 1.0), (Gap, 5.0), (Undecided, 9.0)];
+    assert_eq!(found, expected);
 }
 
 /// n.l is 4e-7 at pixel 5,5, which is tied: the gate of the shortcut is open there in floats.

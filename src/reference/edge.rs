@@ -6,10 +6,18 @@
 use std::cmp::Ordering;
 
 use super::real::Real;
+use super::sight::Place;
 
 /// A pixel centre within this distance of an edge, in pixels, may show either side: snapping moves corners by up to
 /// 0.003 pixel.
 pub const EDGE: f64 = 0.01;
+
+/// Faces touch if there is less room than this between them, in pixels. Rounding of positions in f64 leaves far less.
+const ROOM: f64 = 1e-4;
+
+/// The places along an edge, in shares of their range. They are not symmetrical, because another edge may cross in the
+/// middle.
+const ALONG: [f64; 5] = [-0.9, -0.5, -0.1, 0.3, 0.7];
 
 /// An edge function: affine in the pixel's offset from the picture's centre, right and down, and 0 on the edge.
 pub struct EdgeFunction<R> {
@@ -32,13 +40,47 @@ impl<R: Real> EdgeFunction<R> {
         }
     }
 
-    /// Whether a pixel centre is on the positive side; an interval is undecided within `margin` pixels of the edge.
+    /// The function at a place.
+    fn at(&self, [right, down]: [f64; 2]) -> R {
+        self.at_centre + self.right * R::of(right) + self.down * R::of(down)
+    }
+
+    /// Places within about [`EDGE`] pixels of `centre`, if the edge is that near: [`ROOM`] pixels from the edge on both sides,
+    /// and as far from the parallel through the centre.
+    pub fn places(&self, centre: Place) -> impl Iterator<Item = Place> {
+        let middle = |number: R| {
+            let [least, largest] = number.endpoints();
+            least.midpoint(largest)
+        };
+        let gradient = middle(self.gradient);
+        let [distance, right, down] =
+            [self.at(centre.offset), self.right, self.down].map(|it| middle(it) / gradient);
+        let is_near = self.side(centre).is_none();
+        let steps = [ROOM, -ROOM].map(|step| [step, step - distance]);
+        let steps = steps.into_iter().flatten().filter(move |_| is_near);
+        steps.flat_map(move |across| {
+            let reach = (EDGE * EDGE - across * across).max(0.0).sqrt();
+            ALONG.map(|share| {
+                let [x, y] = centre.offset;
+                let along = share * reach;
+                let offset = [
+                    x + across * right - along * down,
+                    y + across * down + along * right,
+                ];
+                Place {
+                    offset,
+                    margin: 0.0,
+                }
+            })
+        })
+    }
+
+    /// Whether a place is on the positive side.
     ///
-    /// A centre on the edge belongs to the side on the right, or below if the edge is horizontal.
-    pub fn side(&self, [right, down]: [f64; 2], margin: f64) -> Option<bool> {
-        let distance = self.at_centre + self.right * R::of(right) + self.down * R::of(down);
+    /// A place on the edge belongs to the side on the right, or below if the edge is horizontal.
+    pub fn side(&self, place: Place) -> Option<bool> {
         let [_, gradient] = self.gradient.endpoints();
-        let order = distance.sign(margin * gradient)?;
+        let order = self.at(place.offset).sign(place.margin * gradient)?;
         if order != Ordering::Equal {
             return Some(order == Ordering::Greater);
         }
@@ -54,14 +96,14 @@ pub fn hypot<R: Real>([x, y]: [R; 2]) -> R {
     (x.square() + y.square()).sqrt()
 }
 
-/// Whether a pixel centre is on the positive side of all edges; an interval is undecided within [`EDGE`] pixels of one.
+/// Whether a place is on the positive side of all edges.
 pub fn inside<'a, R: Real + 'a>(
     edges: impl Iterator<Item = &'a EdgeFunction<R>>,
-    pixel: [f64; 2],
+    place: Place,
 ) -> Option<bool> {
     let mut inside = Some(true);
     for edge in edges {
-        match edge.side(pixel, EDGE) {
+        match edge.side(place) {
             Some(true) => {}
             Some(false) => return Some(false),
             None => inside = None,

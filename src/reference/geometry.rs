@@ -15,7 +15,7 @@
 //! Points are relative to the eye, so precision does not depend on the size of the cuboid. Two faces compute the side of
 //! their common edge from the same numbers with opposite signs. In f64 a line of sight therefore never passes between
 //! them and never hits both: a line exactly on the edge hits the face on the right of it, or below it if the edge is
-//! horizontal (the top-left rule). An interval within [`edge::EDGE`] pixels of an edge is undecided.
+//! horizontal (the top-left rule). An interval within the margin of an edge is undecided.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -24,7 +24,7 @@ use glam::DVec3;
 
 use super::edge::{self, EdgeFunction};
 use super::real::{Real, RealVector};
-use super::sight::{Line, Sight, own_axes};
+use super::sight::{Line, Place, Sight, own_axes};
 use crate::components::{Mesh, Projection, TRIANGLES, Transform};
 
 /// The geometry of a cuboid for the lines of sight, in its own axes and world units.
@@ -52,8 +52,6 @@ pub struct CuboidGeometry<R> {
 struct FaceEdges<R> {
     /// Positive inside: the edges at both ends of the next axis, then at both ends of the axis after it.
     edges: [EdgeFunction<R>; 4],
-    /// Whether the face beyond each edge is certainly front-facing.
-    is_shared: [bool; 4],
     /// Positive beyond the near plane.
     near: EdgeFunction<R>,
     /// Positive on the first triangle's side.
@@ -135,10 +133,9 @@ impl<R: Real> CuboidGeometry<R> {
             columns,
             rows,
         };
-        let fronts: [Option<Ordering>; 6] = std::array::from_fn(|face| solid.front(face));
         solid.faces = std::array::from_fn(|face| {
-            let is_away = matches!(fronts[face], Some(Ordering::Less | Ordering::Equal));
-            (!is_away).then(|| solid.face(face, fronts))
+            let is_away = matches!(solid.front(face), Some(Ordering::Less | Ordering::Equal));
+            (!is_away).then(|| solid.face(face))
         });
         solid
     }
@@ -176,7 +173,7 @@ impl<R: Real> CuboidGeometry<R> {
         }
     }
 
-    fn face(&self, number: usize, fronts: [Option<Ordering>; 6]) -> FaceEdges<R> {
+    fn face(&self, number: usize) -> FaceEdges<R> {
         let (k, outwards) = across(number);
         let [i, j] = face_axes(k);
         // From the eye to a point of the face: on the edge at this end of `axis`, or in the middle of the face for 0.
@@ -194,9 +191,6 @@ impl<R: Real> CuboidGeometry<R> {
         let edges = ends.map(|(axis, end)| {
             let sign = R::of(-end * outwards);
             self.edge(to(axis, end), |to, ahead| sign * passing(axis, to, ahead))
-        });
-        let is_shared = ends.map(|(axis, end)| {
-            fronts[2 * axis + usize::from(end < 0.0)] == Some(Ordering::Greater)
         });
         let sign = R::of(outwards);
         // Ratios, because products of lengths may overflow f64.
@@ -217,7 +211,6 @@ impl<R: Real> CuboidGeometry<R> {
         );
         FaceEdges {
             edges,
-            is_shared,
             near,
             diagonal,
         }
@@ -236,19 +229,18 @@ impl<R: Real> CuboidGeometry<R> {
         EdgeFunction::new(of(to, self.forward), steps)
     }
 
-    /// The line of sight through the centre of pixel (`x`, `y`), in the cuboid's axes.
-    pub fn line(&self, sight: &Sight<R>, x: usize, y: usize) -> Line<R> {
-        let [width, height] = sight.size.map(|pixels| pixels as f64 / 2.0);
-        let pixel = [x as f64 + 0.5 - width, y as f64 + 0.5 - height];
-        let moved = self.step[0] * R::of(pixel[0]) + self.step[1] * R::of(pixel[1]);
-        let (offset, direction) = match self.projection {
+    /// The line of sight through a place, in the cuboid's axes.
+    pub fn line(&self, place: Place) -> Line<R> {
+        let [right, down] = place.offset.map(R::of);
+        let moved = self.step[0] * right + self.step[1] * down;
+        let (start, direction) = match self.projection {
             Projection::Perspective => (RealVector::exact(DVec3::ZERO), self.forward + moved),
             Projection::Orthographic => (moved, self.forward),
         };
         Line {
-            offset,
+            start,
             direction,
-            pixel,
+            place,
         }
     }
 
@@ -256,7 +248,7 @@ impl<R: Real> CuboidGeometry<R> {
     pub fn meet(&self, line: &Line<R>) -> Option<Meeting<R>> {
         let inside = |(number, face): (usize, &FaceEdges<R>)| {
             let edges = face.edges.iter().chain([&face.near]);
-            (number, edge::inside(edges, line.pixel))
+            (number, edge::inside(edges, line.place))
         };
         let hit = self.faces().map(inside);
         let hit: Vec<_> = hit.filter(|(_, inside)| *inside != Some(false)).collect();
@@ -280,22 +272,14 @@ impl<R: Real> CuboidGeometry<R> {
         Some(Meeting {
             depth: depths.reduce(R::either)?,
             points,
-            is_certain: hit.iter().any(|(_, inside)| *inside == Some(true))
-                || self.is_within_outline(&hit, line),
+            is_certain: hit.iter().any(|(_, inside)| *inside == Some(true)),
         })
     }
 
-    /// Near a common edge of two faces one of them is hit if the line passes inside the outline of both.
-    fn is_within_outline(&self, hit: &[(usize, Option<bool>)], line: &Line<R>) -> bool {
-        let outline = self.faces().flat_map(|(_, face)| {
-            let edges = face.edges.iter().zip(face.is_shared);
-            edges.filter_map(|(edge, is_shared)| (!is_shared).then_some(edge))
-        });
-        let near = hit
-            .iter()
-            .filter_map(|(number, _)| self.faces[*number].as_ref());
-        let edges = outline.chain(near.map(|face| &face.near));
-        edge::inside(edges, line.pixel) == Some(true)
+    /// The edges of the faces, those at the near plane too.
+    pub fn edges(&self) -> impl Iterator<Item = &EdgeFunction<R>> {
+        self.faces()
+            .flat_map(|(_, face)| face.edges.iter().chain([&face.near]))
     }
 
     /// The faces that may be front-facing, with their indices.
@@ -307,7 +291,7 @@ impl<R: Real> CuboidGeometry<R> {
     /// The depth along the view direction at which the line hits the plane of a face: H / w.
     fn depth(&self, face: usize, line: &Line<R>) -> R {
         let (axis, outwards) = across(face);
-        let height = self.height(face) + signed(outwards, line.offset.0[axis]);
+        let height = self.height(face) + signed(outwards, line.start.0[axis]);
         height / descent(face, line)
     }
 
@@ -319,14 +303,19 @@ impl<R: Real> CuboidGeometry<R> {
     /// The intersection of the line with the plane of a face.
     pub fn place(&self, number: usize, line: &Line<R>) -> FacePoint<R> {
         let (axis, outwards) = across(number);
-        let mut point = line.offset + line.direction * self.depth(number, line);
+        let mut point = line.start + line.direction * self.depth(number, line);
         point.0[axis] = self.end(axis, outwards);
         let face = self.faces[number].as_ref();
         FacePoint {
             point,
             share: self.share(number, point),
             to_eye: -line.direction.unit(),
-            is_on_first: face.and_then(|face| face.diagonal.side(line.pixel, 0.0)),
+            is_on_first: face.and_then(|face| {
+                face.diagonal.side(Place {
+                    margin: 0.0,
+                    ..line.place
+                })
+            }),
         }
     }
 

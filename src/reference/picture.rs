@@ -12,7 +12,7 @@ use super::illumination::{Lit, Open, ReferenceSurface, TIES, blend};
 use super::interval::Interval;
 use super::real::{Real, RealVector};
 use super::rule::Rule;
-use super::sight::Sight;
+use super::sight::{Place, Sight};
 use crate::components::{
     FileOrder, Light, Material, Mesh, ShadingMode, Transform, TriangleId, View, in_file_order,
 };
@@ -75,6 +75,8 @@ pub struct Seen<R> {
     pub triangle: Option<TriangleId>,
     /// Unclamped levels of 255.
     pub levels: [R; 3],
+    /// Whether other surfaces hide it all around the pixel's centre. Only a gap between those would show it.
+    pub is_hidden: bool,
 }
 
 impl<R> Seen<R> {
@@ -126,7 +128,7 @@ impl<R: Real> Reference<R> {
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         for x in 0..self.sight.size[0] {
             self.meet([x, y], &cuboids, &mut met);
-            self.see(&met, &mut seen);
+            self.see([x, y], &met, &mut seen);
             each(x, &seen);
         }
     }
@@ -142,23 +144,28 @@ impl<R: Real> Reference<R> {
         let cuboids = self.in_row(pixel[1]);
         let (mut met, mut seen) = (Vec::new(), Vec::new());
         self.meet(pixel, &cuboids, &mut met);
-        self.see(&met, &mut seen);
+        self.see(pixel, &met, &mut seen);
         seen
     }
 
-    /// Overwrites `seen` with the surfaces of these cuboids, and the background unless one of them is certainly hit.
-    fn see(&self, met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
+    /// Overwrites `seen` with the surfaces of these cuboids at a pixel, and the background unless one of them is certainly
+    /// hit.
+    fn see(&self, pixel: [usize; 2], met: &[Met<R>], seen: &mut Vec<Seen<R>>) {
         seen.clear();
         for met in met {
             for (face, place) in &met.meeting.points {
                 met.cuboid.see(*face, place, seen);
             }
         }
-        if !met.iter().any(|met| met.meeting.is_certain) {
+        if shows(met, None) {
             seen.push(Seen {
                 triangle: None,
                 levels: self.background.0,
+                is_hidden: false,
             });
+        }
+        if seen.iter().any(|it| it.face() != seen[0].face()) {
+            self.mark_hidden(self.sight.centre(pixel), met, seen);
         }
     }
 
@@ -169,12 +176,21 @@ impl<R: Real> Reference<R> {
         cuboids: &[&'a ReferenceCuboid<R>],
         met: &mut Vec<Met<'a, R>>,
     ) {
+        let cuboids = cuboids.iter().copied();
+        let here = cuboids.filter(|cuboid| cuboid.solid.columns.contains(&x));
+        self.meet_at(self.sight.centre([x, y]), here, met);
+    }
+
+    /// Overwrites `met` with those of the cuboids that may be visible at a place, in file order.
+    pub(super) fn meet_at<'a>(
+        &self,
+        place: Place,
+        cuboids: impl Iterator<Item = &'a ReferenceCuboid<R>>,
+        met: &mut Vec<Met<'a, R>>,
+    ) {
         met.clear();
-        for &cuboid in cuboids {
-            if !cuboid.solid.columns.contains(&x) {
-                continue;
-            }
-            let Some(meeting) = cuboid.solid.meet(&cuboid.solid.line(&self.sight, x, y)) else {
+        for cuboid in cuboids {
+            let Some(meeting) = cuboid.solid.meet(&cuboid.solid.line(place)) else {
                 continue;
             };
             // Whether the new cuboid, where it is hit, replaces another that is visible so far: the other is farther by
@@ -202,6 +218,17 @@ impl<R: Real> Reference<R> {
     }
 }
 
+/// Whether a line of sight that meets these cuboids may show a face, or the background.
+pub(super) fn shows<R>(met: &[Met<R>], face: Option<usize>) -> bool {
+    match face {
+        None => !met.iter().any(|met| met.meeting.is_certain),
+        Some(face) => met.iter().any(|met| {
+            let mut faces = met.meeting.points.iter();
+            met.cuboid.number == face / 6 && faces.any(|(number, _)| *number == face % 6)
+        }),
+    }
+}
+
 impl<R: Real> ReferenceCuboid<R> {
     /// Adds the levels at a place on a face, once for each state of the tied gates.
     fn see(&self, face: usize, place: &FacePoint<R>, seen: &mut Vec<Seen<R>>) {
@@ -212,6 +239,7 @@ impl<R: Real> ReferenceCuboid<R> {
                 seen.push(Seen {
                     triangle: Some(TriangleId::new(self.number as u32, triangle)),
                     levels: lit.levels.0,
+                    is_hidden: false,
                 });
                 lit.ties > 0
             };

@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use super::edge::EDGE;
 use super::interval::Interval;
 use super::real::{Real, RealVector};
 use super::rule::Rule;
@@ -30,13 +31,21 @@ pub struct Sight<R> {
     pub size: [usize; 2],
 }
 
-/// The line of sight through a pixel centre, `offset + direction * t`, relative to the eye and in the cuboid's axes.
+/// A place in the picture.
+#[derive(Clone, Copy)]
+pub struct Place {
+    /// From the picture's centre, in pixels right and down.
+    pub offset: [f64; 2],
+    /// Within this many pixels of an edge, an interval does not decide the side of the edge.
+    pub margin: f64,
+}
+
+/// The line of sight through a place, `start + direction * t`, relative to the eye and in the cuboid's axes.
 pub struct Line<R> {
-    /// The start of the line relative to the eye; zero in perspective.
-    pub offset: RealVector<R>,
+    /// Relative to the eye; zero in perspective.
+    pub start: RealVector<R>,
     pub direction: RealVector<R>,
-    /// Its offset from the picture's centre, right and down.
-    pub pixel: [f64; 2],
+    pub place: Place,
 }
 
 impl<R: Real> Sight<R> {
@@ -66,6 +75,17 @@ impl<R: Real> Sight<R> {
             },
             pitch: seen / R::of(view.size[1] as f64),
             size: view.size,
+        }
+    }
+}
+
+impl<R> Sight<R> {
+    /// The centre of a pixel, which may show either side of an edge nearby.
+    pub fn centre(&self, pixel: [usize; 2]) -> Place {
+        let offset = [0, 1].map(|axis| pixel[axis] as f64 + 0.5 - self.size[axis] as f64 / 2.0);
+        Place {
+            offset,
+            margin: EDGE,
         }
     }
 }

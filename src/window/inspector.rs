@@ -122,6 +122,7 @@ impl App {
             [
                 (proof.proven.to_string(), "pixels proven"),
                 (proof.undecided.to_string(), "pixels undecided"),
+                (proof.gaps.to_string(), "pixels in gaps of touching faces"),
                 (proof.refuted.to_string(), "pixels refuted"),
                 (proof.outline.to_string(), "pixels within 0.01 of an edge"),
                 (proof.covered.to_string(), "pixels with a cuboid"),

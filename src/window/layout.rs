@@ -120,7 +120,7 @@ impl App {
             is_clicked = fact(text, INK, is_current, ERROR, Sense::click()).clicked();
         }
         if let Some(it) = self.facts.proof.current() {
-            let pixels = it.proven + it.refuted + it.undecided;
+            let pixels = it.pixels as u64;
             let (share, ink) = match pixels - it.proven {
                 0 => ("every pixel".to_owned(), GOOD),
                 _ => (format!("{} of {pixels} pixels", it.proven), BAD),

@@ -76,7 +76,7 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
     ] {
         let output = run(folder, line);
         assert_eq!(output.status.code(), Some(status));
-        assert_eq!(said(&output).contains("refuted: "), status == 1);
+        assert_eq!(said(&output).contains("not proven: "), status == 1);
         let text = String::from_utf8_lossy(&output.stdout);
         assert!(words.split('|').all(|it| text.contains(it)), "{text}");
         assert!(!others.split('|').any(|it| text.contains(it)), "{text}");
@@ -88,13 +88,108 @@ fn a_drawn_picture_is_proven() {
     let (status, proof) = json(folder().path(), "prove --size 96x72 --json");
     assert_eq!((status, &proof["proven"]), (Some(0), &proof["pixels"]));
     let of_proof = "scene camera projection size mode tolerance seconds limit pixels proven refuted undecided \
-                    outline covered worst widest_enclosure reference_error examples";
+                    gaps outline covered worst widest_enclosure reference_error examples";
     assert_eq!(keys(&proof), of_proof);
     let names = ["scene", "camera", "projection", "mode"].map(|key| &proof[key]);
     assert_eq!(names, ["cuboid", "1", "perspective", "gouraud"]);
     let number = |key: &str| proof[key].as_f64().expect("a number");
     assert!((1e-6..=0.5).contains(&number("worst")) && number("covered") > 1000.0);
     assert!((1e-20..1e-6).contains(&number("reference_error")));
+}
+
+/// The middle pixel shows the middle of an edge between two visible faces.
+const EDGE: &str = "
+[[cuboid]]
+name = \"c\"
+size = [2, 2, 2]
+material = { ambient = [1, 1, 1], diffuse = [1, 1, 1], specular = [0, 0, 0], shininess = 1 }
+[[light]]
+name = \"a\"
+kind = \"ambient\"
+color = [1, 1, 1]
+intensity = 100
+[[camera]]
+name = \"1\"
+position = [4, 2, 5]
+target = [1, 0, 1]
+fov = 30
+height = 4
+";
+
+#[test]
+fn a_pixel_that_is_undecided_or_a_gap_is_a_failure() {
+    let folder = folder();
+    let folder = folder.path();
+    put(folder, "edge.toml", EDGE);
+    assert_works(folder, "render edge.toml --size 9x9 -o drawn.png");
+    let mut holed = image::open(folder.join("drawn.png"))
+        .expect("a PNG")
+        .to_rgb8();
+    holed.put_pixel(4, 4, [0; 3].into());
+    holed.save(folder.join("holed.png")).expect("it is written");
+    // The direction to a light at the visible point is not enclosed.
+    let light = "[[light]]\nname = \"d\"\nkind = \"diffuse\"\ncolor = [1, 1, 1]\nintensity = 9\nposition = [1, 0, 1]\n";
+    put(folder, "lit.toml", format!("{EDGE}{light}"));
+    for (line, color, counts) in [
+        (
+            "prove edge.toml --picture drawn.png",
+            [0x26, 0x5a, 0x78],
+            [81, 0, 0],
+        ),
+        (
+            "prove edge.toml --picture holed.png",
+            [0xe0, 0x40, 0xff],
+            [80, 0, 1],
+        ),
+        (
+            "prove lit.toml --shading phong --size 9x9",
+            [0xff, 0xd5, 0],
+            [80, 1, 0],
+        ),
+    ] {
+        let (status, proof) = json(folder, &format!("{line} --json -o map.png"));
+        let found = ["proven", "undecided", "gaps"].map(|key| &proof[key]);
+        assert_eq!(found, counts, "{line}");
+        assert_eq!(status, Some(i32::from(counts[0] < 81)), "{line}");
+        let map = image::open(folder.join("map.png"))
+            .expect("a PNG")
+            .to_rgb8();
+        assert_eq!(map.get_pixel(4, 4).0, color, "{line}");
+    }
+    let text = run(folder, "prove edge.toml --picture holed.png");
+    let text = String::from_utf8_lossy(&text.stdout).into_owned();
+    assert!(
+        text.contains("4,4 is a gap, background instead of c, face +"),
+        "{text}"
+    );
+}
+
+/// `render` draws the whole picture on all threads, `prove` bands of it.
+#[test]
+fn what_render_writes_is_proven() {
+    let folder = folder();
+    let folder = folder.path();
+    put(
+        folder,
+        "two.toml",
+        format!("{SCENE}\n{}", cube("aside", [-1.5, 1.0, 1.0])),
+    );
+    for (scene, size) in [
+        ("cuboid", "97x131"),
+        ("two.toml", "131x65"),
+        ("bench-close", "1x77"),
+    ] {
+        for mode in ["gouraud", "phong"] {
+            for tolerance in ["0", "0.5"] {
+                let options = format!("{scene} --shading {mode} --tolerance {tolerance}");
+                assert_works(
+                    folder,
+                    &format!("render {options} --size {size} -o drawn.png"),
+                );
+                assert_works(folder, &format!("prove {options} --picture drawn.png"));
+            }
+        }
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use shadetrade::components::TriangleId;
-use shadetrade::prove::Verdict::{Proven, Refuted, Undecided};
+use shadetrade::prove::Verdict::{Gap, Proven, Refuted, Undecided};
 use shadetrade::prove::{Mark, Shown, Verdict, judge};
 use shadetrade::reference::{Interval, Real, Seen};
 
@@ -16,6 +16,7 @@ fn seen(face: Option<usize>, ends: [f64; 2]) -> Seen<Interval> {
     Seen {
         triangle: face.map(|face| TriangleId::of_face(face as u32, false)),
         levels: [interval(ends); 3],
+        is_hidden: false,
     }
 }
 
@@ -84,6 +85,7 @@ fn the_enclosure_of_all_numbers_proves_and_refutes_nothing() {
         let seen = [Seen {
             triangle: Some(TriangleId(0)),
             levels: [levels; 3],
+            is_hidden: false,
         }];
         assert_eq!(verdict(shown(Some(0), 40.0), &seen, 8.0), Undecided);
         // Half of the displayed range is within reach of every level of it.
@@ -123,6 +125,46 @@ fn a_pixel_shows_one_of_its_faces_in_the_levels_of_that_face() {
     }
     let (_, [_, error]) = judge(shown(Some(4), 90.0), &outline, 0.5);
     assert!((error - 10.0).abs() < 1e-9, "{error} from the first face");
+}
+
+/// The background is hidden by two faces, one of them with an enclosure that decides nothing.
+#[test]
+fn a_pixel_that_shows_a_hidden_face_is_a_gap() {
+    let hidden = Seen {
+        is_hidden: true,
+        ..seen(None, [20.0, 22.0])
+    };
+    let joint = [
+        hidden,
+        seen(Some(3), [100.0, 100.0]),
+        seen(Some(8), [0.0, 255.0]),
+    ];
+    for (face, level, expected) in [
+        (None, 21.0, Gap),
+        (None, 20.0, Gap),
+        (None, 30.0, Refuted),
+        (Some(3), 100.0, Proven),
+        (Some(3), 20.0, Refuted),
+        (Some(8), 20.0, Undecided),
+        (Some(4), 100.0, Refuted),
+    ] {
+        let (mark, _) = judge(shown(face, level), &joint, 1.5);
+        assert_eq!(mark.verdict, expected, "{face:?} {level}");
+        assert!(mark.is_outline, "the two faces");
+        let (mark, [least, _]) = judge(shown(face, level), &joint[..2], 1.5);
+        assert!(!mark.is_outline, "one face");
+        let differs = face.is_none() || face == Some(3);
+        assert!(
+            !differs || (least - (100.0 - level)).abs() < 1e-9,
+            "{least}"
+        );
+    }
+    let bytes = |byte| Shown {
+        bytes: Some([byte; 3]),
+        ..shown(None, 21.0)
+    };
+    assert_eq!(verdict(bytes(21), &joint, 1.5), Gap);
+    assert_eq!(verdict(bytes(25), &joint, 1.5), Refuted);
 }
 
 #[test]

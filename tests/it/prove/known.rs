@@ -1,5 +1,7 @@
 //! Scenes with levels known on paper, which f32 or coordinates relative to a cuboid's centre get wrong.
 
+use std::f64::consts::SQRT_2;
+
 use glam::{DMat3, DVec3};
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
@@ -181,5 +183,59 @@ fn no_combination_of_many_tied_gates_is_refuted() {
             let proof = proof(&mut world, &view.shaded(mode));
             assert_eq!(proof.refuted, 0, "{mode:?}: {:?}", proof.examples);
         }
+    }
+}
+
+/// The direction to a light is not enclosed where the light is within rounding of the point that it lights, as docs/limits.md
+/// says: of a vertex at (sqrt 2, 0, 1); of the point in the middle; of all points, known to a millionth of a unit.
+#[test]
+fn a_light_within_rounding_of_a_point_leaves_it_undecided() {
+    use LightKind::{Diffuse, Specular};
+    use ShadingMode::{Gouraud, Phong};
+    let cube = DVec3::splat(2.0);
+    let plate = DVec3::new(2e4, 2e6, 2e6);
+    let far = DVec3::new(1.3, 866_025.403_784_438_6, 5e5);
+    for (size, place, kind, light, eye, target, mode, undecided) in [
+        (
+            cube,
+            turned(DVec3::Z * 45.0),
+            Diffuse,
+            DVec3::new(SQRT_2, 0.0, 1.0),
+            DVec3::new(7.0, 5.0, 8.0),
+            DVec3::ZERO,
+            Gouraud,
+            50..200,
+        ),
+        (
+            cube,
+            at(DVec3::Y),
+            Specular,
+            DVec3::new(1e-17, -1e-17, 0.0),
+            DVec3::new(-6.0, -2.0, -9.9),
+            DVec3::ZERO,
+            Phong,
+            1..2,
+        ),
+        (
+            plate,
+            turned(DVec3::X * 30.0),
+            Diffuse,
+            far + DVec3::Z * 3e-5,
+            DVec3::new(1e9, 1e10, 1.2e10),
+            far,
+            Phong,
+            100..1089,
+        ),
+    ] {
+        let mut world = empty();
+        spawn_cuboid(&mut world, size, place, WHITE);
+        shine(&mut world, kind, 100.0, light);
+        let view = view([33, 33], eye, target, Projection::Orthographic);
+        let proof = proof(&mut world, &view.shaded(mode).with_tolerance(1e-4));
+        let what = format!("{} undecided: {:?}", proof.undecided, proof.examples);
+        assert!(
+            proof.refuted == 0 && undecided.contains(&proof.undecided),
+            "{what}"
+        );
     }
 }

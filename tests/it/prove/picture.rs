@@ -3,10 +3,12 @@
 use fearless_simd::Level;
 use png::{BitDepth, ColorType, Info};
 use shadetrade::components::{Projection, ShadingMode, View};
-use shadetrade::frame::Keep;
+use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::{PngPicture, Proof, Verdict, prove, read_png};
 use shadetrade::report::Monitor;
+use shadetrade::report::progress::bands;
 use shadetrade::scene::{BUILT_IN, Scene};
+use shadetrade::systems::draw_rows;
 
 use crate::support::indexed::{indexed, with_info};
 use crate::support::scene::draw;
@@ -63,6 +65,33 @@ fn the_renderers_own_bytes_are_proven_and_a_changed_one_is_refuted() {
                 // A byte is at most half a level from its level.
                 assert!((1.5..=2.5).contains(&example.error[0]), "{example:?}");
                 assert!(example.face.is_some());
+            }
+        }
+    }
+}
+
+/// A proof draws the picture in bands of rows.
+#[test]
+fn the_bands_of_a_proof_have_the_bits_of_the_whole_picture() {
+    let mut scene = Scene::load(None).expect("the built-in scene");
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        for tolerance in [0.0, 0.5] {
+            let view = View::of(&scene.world, [131, 197]).shaded(mode);
+            let view = view.with_tolerance(tolerance);
+            let whole = draw(&mut scene.world, &view, Keep::Levels);
+            let mut band = Frame::new(Keep::Levels, Workers::alone(Level::new()));
+            for rows in bands(197) {
+                let pixels = 131 * rows.start..131 * rows.end;
+                draw_rows(&mut scene.world, &view, rows, &mut band).expect("it fits");
+                let bits = |levels: &[[f32; 3]]| {
+                    levels
+                        .as_flattened()
+                        .iter()
+                        .map(|it| it.to_bits())
+                        .collect::<Vec<_>>()
+                };
+                assert_eq!(band.triangles(), &whole.triangles()[pixels.clone()]);
+                assert!(bits(band.levels()) == bits(&whole.levels()[pixels]));
             }
         }
     }

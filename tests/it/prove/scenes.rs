@@ -64,7 +64,7 @@ fn the_assignment_s_shortcut_is_drawn_as_the_reference_defines_it() {
 }
 
 /// The distance of the farthest cuboid in multiples of its smallest edge. Beyond 1e10 f64 may not suffice to tell where a pixel
-/// lies on it, the only reason to leave the pixel undecided.
+/// lies on it, the only reason here to leave the pixel undecided.
 fn distance(world: &mut World, eye: DVec3) -> f64 {
     let cuboids = world.query_mut::<(&Transform, &Mesh)>().into_iter();
     let distances = cuboids.map(|(transform, mesh)| {
