@@ -2,7 +2,10 @@
 
    By hand: each rounding multiplies all terms that were summed so far by 1 + e, |e| <= u = 2^-24. The term in x^2 y^2 is
    rounded most often: its coefficient, two products and two sums with powers of x, as many with powers of y (9), then, of the
-   light that crosses zero, its coefficient, a product and a sum (3). The display step may be that of the next float (2). *)
+   fourth channel, the coefficient of its term, a product and a sum (3). The display step may be that of the next float (2).
+   The exponent y of a highlight has the nine. They err by d, at most 1, so 2^y errs by at most 2^y d, for 2^d is convex and 1 + d
+   at 0 and 1; and 2^y, below 1.3, is that of the samples, whose own error is at most a quarter in units of 1/ln 2. The
+   power of two errs by 4.3 u (power.v). 9 times 1.3 of the size of y, and 9.3 times 1.3 of 2^y, are below 14. *)
 From Coq Require Import Reals.
 From Interval Require Import Tactic.
 Open Scope R_scope.

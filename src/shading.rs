@@ -8,6 +8,7 @@
 //!     classify each light: is n.l > 0 all over the square, n.l <= 0 all over, or neither? is its highlight visible?
 //!     if bounds on the interpolation error of every light, and on all rounding errors, add up to less than the tolerance:
 //!         evaluate the model at nine nodes; draw the biquadratic polynomial through them, without terms that are negligible
+//!         (of one light n.l, or the logarithm of its highlight, is a polynomial of its own)
 //!     else if the square is larger than 16 x 16 pixels, and either the bounds may suffice on its quarters or f32 is too coarse:
 //!         draw each quarter
 //!     else:
@@ -18,7 +19,8 @@
 //!
 //! ```text
 //! tolerance >=   sum over diffuse lights of the interpolation error of n.l                 bound
-//!              + sum over the highlights drawn of the interpolation error of s^rho         bound
+//!              + sum over the highlights drawn of the interpolation error of s^rho,
+//!                or of its error from that of its logarithm                                bound
 //!              + sum over the highlights left out of their largest s^rho                   bound, phong
 //!              + 25/9 times the rounding error of a sample                                 rounding, interpolation
 //!              + the rounding error of a row, and the polynomial's terms that are left out  interpolation
@@ -87,6 +89,8 @@ pub enum SquareKind {
     Quadratic,
     /// A biquadratic colour plus max(0, n.l) of one light, n.l being another biquadratic; proven.
     Terminator,
+    /// A biquadratic colour plus s^rho of one light, log2(s^rho) being another biquadratic; proven.
+    Highlight,
     /// Every pixel by itself, in f32; in f64 where f32 does not suffice.
     PerPixel,
     /// Every pixel by itself, in f64.
@@ -95,10 +99,11 @@ pub enum SquareKind {
 
 impl SquareKind {
     /// All of them, in order.
-    pub const ALL: [SquareKind; 5] = [
+    pub const ALL: [SquareKind; 6] = [
         SquareKind::Linear,
         SquareKind::Quadratic,
         SquareKind::Terminator,
+        SquareKind::Highlight,
         SquareKind::PerPixel,
         SquareKind::InF64,
     ];
@@ -109,6 +114,7 @@ impl SquareKind {
             SquareKind::Linear => "linear",
             SquareKind::Quadratic => "quadratic",
             SquareKind::Terminator => "terminator",
+            SquareKind::Highlight => "highlight",
             SquareKind::PerPixel => "per pixel",
             SquareKind::InF64 => "per pixel in f64",
         }
@@ -135,6 +141,9 @@ impl Counts {
     /// Adds squares of a kind, with this number of pixels in all.
     pub fn add(&mut self, kind: SquareKind, squares: u64, pixels: usize) {
         self.squares[kind as usize] += squares;
+        if kind == SquareKind::Highlight {
+            self.specular_evaluations += pixels as u64;
+        }
         self.covered_pixels += pixels as u64;
     }
 }

@@ -130,6 +130,30 @@ refine (conj _ (conj _ _)).
   + apply (is_product (fun t => k * (k - 1) * Rpower (s t) (k - 2)) (fun t => s1 t * s1 t)); [apply S, E2 | apply is_product; exact D1].
 Qed.
 
+(* ln s for s > 0. *)
+Theorem logarithm s s1 s2 s3 : (forall t, 0 < s t /\ is_derive s t (s1 t) /\ is_derive s1 t (s2 t) /\ is_derive s2 t (s3 t)) ->
+  let q1 t := / s t * s1 t in
+  let q2 t := / s t * s2 t - / s t * / s t * (s1 t * s1 t) in
+  let q3 t := / s t * s3 t + - 3 * (/ s t * / s t) * (s1 t * s2 t) + 2 * (/ s t * / s t * / s t) * (s1 t * s1 t * s1 t) in
+  forall t : R, is_derive (fun t => ln (s t)) t (q1 t) /\ is_derive q1 t (q2 t) /\ is_derive q2 t (q3 t).
+Proof.
+intros H q1 q2 q3 t. destruct (H t) as [P [D [D1 D2]]].
+assert (I : is_derive (fun t => / s t) t (- (/ s t * / s t) * s1 t)).
+{ replace (- (/ s t * / s t) * s1 t) with (- s1 t / (s t) ^ 2) by (field; lra). apply (is_derive_inv s t (s1 t)); [exact D | lra]. }
+refine (conj _ (conj _ _)).
+- replace (q1 t) with (s1 t * / s t) by apply Rmult_comm. apply (is_derive_comp ln s t (/ s t) (s1 t)); [|exact D].
+  apply is_derive_Reals, derivable_pt_lim_ln, P.
+- replace (q2 t) with (- (/ s t * / s t) * s1 t * s1 t + / s t * s2 t) by (unfold q2; ring).
+  apply (is_product (fun t => / s t) s1); [exact I | exact D1].
+- replace (q3 t) with (- (/ s t * / s t) * s1 t * s2 t + / s t * s3 t
+    - ((- (/ s t * / s t) * s1 t * / s t + / s t * (- (/ s t * / s t) * s1 t)) * (s1 t * s1 t)
+    + / s t * / s t * (s2 t * s1 t + s1 t * s2 t))) by (unfold q3; ring).
+  apply (is_derive_minus (fun t => / s t * s2 t) (fun t => / s t * / s t * (s1 t * s1 t))).
+  + apply (is_product (fun t => / s t) s2); [exact I | exact D2].
+  + apply (is_product (fun t => / s t * / s t) (fun t => s1 t * s1 t));
+      [apply (is_product (fun t => / s t) (fun t => / s t)) | apply (is_product s1 s1)]; assumption.
+Qed.
+
 (* A derivative of a unit vector o is perpendicular to it: |o'.r| <= |o'| sin(theta), cos(theta) = o.r. *)
 Theorem perpendicular o o1 r m sine : dot o o = 1 -> dot r r = 1 -> dot o o1 = 0 -> at_most o1 m ->
   0 <= sine -> 1 - dot o r * dot o r <= sine * sine -> Rabs (dot o1 r) <= m * sine.
@@ -198,6 +222,47 @@ assert (C : Rabs (z * (s1 * s1 * s1)) <= Rabs z * (e1 * sine * (e1 * sine) * (e1
 { rewrite !Rabs_mult. apply Rmult_le_compat_l; [apply Rabs_pos|].
   repeat apply Rmult_le_compat; auto using Rabs_pos. apply Rmult_le_pos; apply Rabs_pos. }
 eapply Rle_trans; [apply Rabs_triang|]. eapply Rle_trans; [apply Rplus_le_compat_r, Rabs_triang|]. lra.
+Qed.
+
+(* The third derivative of ln s: k stands for 1 / s, at most m. *)
+Theorem logarithm_bound k m s1 s3 u v sine c e1 e2 e3 :
+  0 <= k <= m -> 0 <= sine -> 0 <= c -> 0 <= e1 -> 0 <= e2 -> 0 <= e3 ->
+  Rabs s1 <= e1 * sine -> Rabs s3 <= 3 * e1 * e2 + c * e3 -> 0 <= u <= e1 * e1 -> Rabs v <= c * e2 ->
+  Rabs (k * s3 + - 3 * (k * k) * (s1 * (- u - v)) + 2 * (k * k * k) * (s1 * s1 * s1))
+  <= m * (3 * e1 * e2 + c * e3) + 3 * (m * m) * sine * c * e1 * e2
+    + (3 * (m * m) * sine + 2 * (m * m * m) * (sine * sine * sine)) * (e1 * e1 * e1).
+Proof.
+intros [k0 K] sine0 c0 e10 e20 e30 S1 S3 U V'.
+assert (m0 : 0 <= m) by lra.
+assert (K2 : k * k <= m * m) by (apply Rmult_le_compat; assumption).
+assert (k20 : 0 <= k * k) by (apply Rmult_le_pos; assumption).
+assert (K3 : k * k * k <= m * m * m) by (apply Rmult_le_compat; assumption).
+assert (k30 : 0 <= k * k * k) by (apply Rmult_le_pos; assumption).
+eapply Rle_trans; [apply (highlight_below_2 k (- 3 * (k * k)) (2 * (k * k * k)) s1 s3 u v sine c e1 e2 e3); assumption|].
+replace (- 3 * (k * k)) with (- (3 * (k * k))) by ring. rewrite Rabs_Ropp, !Rabs_pos_eq by (apply Rmult_le_pos; lra).
+assert (A0 : 0 <= 3 * e1 * e2 + c * e3) by (apply Rle_trans with (Rabs s3); [apply Rabs_pos | exact S3]).
+assert (B0 : 0 <= sine * c * e1 * e2) by (repeat apply Rmult_le_pos; assumption).
+assert (C0 : 0 <= sine * (e1 * e1 * e1)) by (repeat apply Rmult_le_pos; assumption).
+assert (D0 : 0 <= sine * sine * sine * (e1 * e1 * e1)) by (repeat apply Rmult_le_pos; assumption).
+assert (A := Rmult_le_compat_r _ _ _ A0 K). assert (B := Rmult_le_compat_r _ _ _ B0 K2).
+assert (C := Rmult_le_compat_r _ _ _ C0 K2). assert (D := Rmult_le_compat_r _ _ _ D0 K3). lra.
+Qed.
+
+(* An error of ln p, p = s^rho, of at most x < 1 makes an error of p of at most p x / (1 - x). *)
+Theorem exponential p d x : 0 <= p -> Rabs d <= x < 1 -> Rabs (p * exp d - p) <= p * (x / (1 - x)).
+Proof.
+intros P [D X]. replace (p * exp d - p) with (p * (exp d - 1)) by ring.
+rewrite Rabs_mult, (Rabs_pos_eq p P). apply Rmult_le_compat_l; [exact P|].
+apply Rabs_le_between in D. assert (x0 : 0 <= x) by lra.
+assert (L : 1 + d <= exp d) by (destruct (Req_dec d 0) as [->|N]; [rewrite exp_0; lra | left; apply exp_ineq1, N]).
+assert (U : exp d * (1 - x) <= 1).
+{ assert (N : 1 - d <= exp (- d)) by (destruct (Req_dec d 0) as [->|N]; [rewrite Ropp_0, exp_0; lra | left; apply exp_ineq1; lra]).
+  assert (E : exp d * exp (- d) = 1) by (rewrite <- exp_plus; replace (d + - d) with 0 by ring; apply exp_0).
+  assert (0 < exp d) by apply exp_pos. rewrite <- E. apply Rmult_le_compat_l; lra. }
+assert (Q : x / (1 - x) = / (1 - x) - 1) by (field; lra).
+assert (I : exp d <= / (1 - x)) by (apply (Rmult_le_reg_r (1 - x)); [lra|]; rewrite Rinv_l; lra).
+apply Rabs_le. split; [|lra].
+assert (x <= x / (1 - x)) by (apply (Rmult_le_reg_r (1 - x)); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; nra). lra.
 Qed.
 
 (* Leibniz' rule for r = R l: R and its derivatives are matrices by rows, m u is at most c |u| long. *)

@@ -50,6 +50,16 @@
 //! continuous at s = 0, and the error bound of a quadratic needs only that. For smaller rho a square where s may reach 0
 //! has no bound.
 //!
+//! **Its logarithm.** A highlight is nearly a Gaussian, and the logarithm of one is quadratic. So where s^rho bends too much,
+//! rho ln s may be interpolated instead, and the power taken at each pixel. Where s > 0,
+//!
+//! ```text
+//!   (ln s)''' = s''' / s - 3 s' s'' / s^2 + 2 s'^3 / s^3
+//!   |(ln s)'''| <= (3 E_1 E_2 + c E_3) / s + b c E_1 E_2 + (b + d) E_1^3
+//!   b = 3 sin(theta) / s^2      d = 2 sin(theta)^3 / s^3      at the least s
+//! ```
+//! An error x of rho ln s changes s^rho by at most s^rho (e^x - 1), which is at most s^rho x / (1 - x) for x < 1.
+//!
 //! `proofs/theorems` has Coq proofs of these theorems. `proofs/README.md` lists the steps that are done by hand.
 //!
 //! Four squares are bounded at a time, each independently of the others. NaN or infinity is no bound. min and max may
@@ -62,9 +72,15 @@ use super::U;
 use super::affine::Affine;
 use super::field::{Field, positive};
 use super::gloss::Gloss;
+use super::interpolation::AMPLIFICATION;
 use super::lanes::dot;
-use super::specular;
+use super::specular::{self, EXPONENT_ERROR};
 use crate::simd::{three, two};
+
+/// The least s, and the largest error of rho ln s, of a highlight whose logarithm is interpolated. With such an s the error of
+/// s itself is small beside it, and e to the power of such an error is below 1.3: [`super::interpolation::ROW_ERROR`] counts on that.
+const LEAST_COSINE: f64 = 0.25;
+const MAX_EXPONENT_ERROR: f64 = 0.25;
 
 /// asin(x) <= ARC x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
 const ARC: f64 = std::f64::consts::FRAC_PI_3;
@@ -184,13 +200,36 @@ pub fn reflection<S: Simd>(
     }
 }
 
-/// A bound on the interpolation error of s^rho; `power` is that of the largest s.
+impl<S: Simd> Reflection<S> {
+    /// The largest |r - o| where s >= 0.
+    #[inline(always)]
+    fn chord(&self) -> f64x4<S> {
+        // cos(theta/2)^2 = (1 + s) / 2.
+        self.sine * (2.0 / (positive(self.least) + 1.0)).sqrt()
+    }
+}
+
+/// The interpolation error of a function of s, from the factors of 3 E_1 E_2 + c E_3, of c E_1 E_2 and of E_1^3 in its third
+/// derivative. The fields are n, l and o.
+#[inline(always)]
+fn error_from<S: Simd>(
+    [normal, light, eye]: [&Field<S>; 3],
+    chord: f64x4<S>,
+    [a, b, cubes]: [f64x4<S>; 3],
+) -> f64x4<S> {
+    interpolation_error(two!(|axis| {
+        let o = direction(eye.rates[axis]);
+        let r = product(direction(light.rates[axis]), half_turn(normal.rates[axis]));
+        let [e1, e2, e3] = three!(|order| o[order] + r[order]);
+        a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
+    }))
+}
+
+/// A bound on the interpolation error of s^rho; `power` is that of the largest s. The fields are n, l and o.
 #[inline(always)]
 pub fn highlight_error<S: Simd>(
     gloss: &Gloss,
-    normal: &Field<S>,
-    light: &Field<S>,
-    eye: &Field<S>,
+    fields: [&Field<S>; 3],
     reflection: Reflection<S>,
     power: f64x4<S>,
 ) -> f64x4<S> {
@@ -201,22 +240,44 @@ pub fn highlight_error<S: Simd>(
     let base = if rho >= 3.0 { most } else { least };
     let over = 1.0 / base;
     let peaks = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
-    // a bounds the factor of 3 E_1 E_2 + c E_3, and chord bounds c.
     let a = power * over * rho;
     let b = (power * over * over * sine).min(peaks[0]) * (3.0 * second);
     let d = (power * over * over * over * sine * sine * sine).min(peaks[1]) * third;
-    // cos(theta/2)^2 = (1 + s) / 2.
-    let chord = sine * (2.0 / (positive(least) + 1.0)).sqrt();
     // From rho = 2 on the two have opposite signs.
     let cubes = if rho >= 2.0 { b.max(d) } else { b + d };
-    let errors = interpolation_error(two!(|axis| {
-        let o = direction(eye.rates[axis]);
-        let r = product(direction(light.rates[axis]), half_turn(normal.rates[axis]));
-        let [e1, e2, e3] = three!(|order| o[order] + r[order]);
-        a * (e1 * e2 * 3.0 + chord * e3) + (b * chord * e2 + cubes * e1 * e1) * e1
-    }));
+    let errors = error_from(fields, reflection.chord(), [a, b, cubes]);
     let bounded = base.simd_gt(0.0);
     bounded.select(errors, f64x4::splat(simd, f64::INFINITY))
+}
+
+/// A bound on the error of s^rho where its logarithm is interpolated, with the errors of samples in f32; `power` is that of
+/// the largest s, and |r - o| of a sample has `rounding` roundings.
+#[inline(always)]
+pub fn logarithm_error<S: Simd>(
+    gloss: &Gloss,
+    fields: [&Field<S>; 3],
+    reflection: Reflection<S>,
+    power: f64x4<S>,
+    rounding: f64x4<S>,
+) -> f64x4<S> {
+    let Reflection { least, sine, .. } = reflection;
+    let over = 1.0 / least;
+    let b = sine * over * over * 3.0;
+    let cubes = b + sine * sine * sine * over * over * over * 2.0;
+    let interpolated = error_from(fields, reflection.chord(), [over, b, cubes]);
+    let sample = logarithm_rounding(reflection.chord(), rounding, over) * U;
+    let error = (interpolated + sample * AMPLIFICATION) * gloss.factors[0];
+    let bounded = least.simd_gt(LEAST_COSINE) & error.simd_lt(MAX_EXPONENT_ERROR);
+    let infinite = f64x4::splat(power.token(), f64::INFINITY);
+    bounded.select(power * error / (1.0 - error), infinite)
+}
+
+/// The error of ln s of a sample, in roundings, for an |r - o| of at most `chord` that errs by `rounding`, and 1 / s of at
+/// most `over`. 1 - s = |r - o|^2 / 2 has four roundings more, and its logarithm errs relatively; |ln s| is at most (1 - s) / s.
+#[inline(always)]
+fn logarithm_rounding<S: Simd>(chord: f64x4<S>, rounding: f64x4<S>, over: f64x4<S>) -> f64x4<S> {
+    let chord = chord + rounding * U;
+    (rounding + chord * (2.0 + EXPONENT_ERROR / 2.0)) * chord * over
 }
 
 /// An upper bound of s^rho for s of at most 1.

@@ -129,7 +129,7 @@ impl<'a> Gouraud<'a> {
             let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
             [red, green, blue, f32x16::splat(simd, 0.0)]
         });
-        let interpolant = Interpolant::new(sampled(simd, sample), [zero; 3], rest);
+        let interpolant = Interpolant::new(sampled(simd, sample), [zero; 3], 0, rest);
         (Some(interpolant), 0b1111)
     }
 

@@ -6,9 +6,12 @@
 //! x and y run from -1 to 1 over the square. Quadratic terms are dropped if the rest of the tolerance allows it: x^2 is
 //! replaced by 1/2, the middle of its range, with an error of at most 1/2 (economization; Lanczos 1938).
 //!
-//! Values are multiples of 1/256 level if more than `FIXED_ERROR` levels of the tolerance are left, no channel leaves
-//! `FIXED_RANGE` and no terminator crosses. Then no clamp is needed, and a mask extracts the byte. Without these rows a
-//! frame of bench-close takes 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
+//! One light may be a fourth channel, of which each pixel makes its own term: max(0, n.l) where that crosses 0, or s^rho from
+//! its logarithm.
+//!
+//! Values are multiples of 1/256 level if more than `FIXED_ERROR` levels of the tolerance are left and no channel leaves
+//! `FIXED_RANGE`. Then no clamp is needed, or with a fourth channel one minimum, and a mask extracts the byte. Without these
+//! rows a frame of bench-close takes 63 % more time, and without linear rows either 70 % more (Phong, tolerance 0.5, one thread).
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
@@ -68,43 +71,65 @@ pub fn sampled<S: Simd>(
 /// ```text
 ///   operation            count   why
 ///   x^2 y^2                9     its coefficient, and two for each power of x and of y
-///   term that crosses      3     its coefficient, a product and a sum
+///   fourth channel         3     the coefficient of its term, a product and a sum
 ///   display                2     the display step rounds the next larger float
 /// ```
 /// A thousandth is added, because each rounding enlarges the errors before it (`proofs/rows.v`).
+///
+/// The exponent y of a highlight has the first nine, relative to the sum of the sizes of its own terms. They err by less than one
+/// (`MAX_FOURTH`), and make of 2^y at most as much times 2^y, which is below 1.3; the power of two errs by 4.3 U. So the size of a
+/// fourth channel with its term is that sum and one.
 pub(super) const ROW_ERROR: f64 = 14.001 * U;
 
-/// The error of multiples of 1/256 level: three roundings to the nearest multiple, `proofs/fixed.g`.
-pub(super) const FIXED_ERROR: f64 = 1.5 / 256.0;
+/// The error of multiples of 1/256 level: four roundings to the nearest multiple, `proofs/fixed.g`.
+pub(super) const FIXED_ERROR: f64 = 2.0 / 256.0;
 
 /// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
 const FIXED_RANGE: [f64; 2] = [0.0, 255.49];
 
+/// The largest levels that they can hold with a fourth channel, because its sums are clamped.
+const FIXED_SUM: f64 = 16_000.0;
+
+/// The largest size of the fourth channel: 9 U times this is below one.
+const MAX_FOURTH: f64 = 1e6;
+
 /// Colours of four squares, x and y from -1 to 1 over each, and how each square is drawn.
 pub struct Interpolant<S: Simd> {
-    /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square. Each pixel takes
-    /// max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|.
+    /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square or of log2(s^rho) of one
+    /// highlight. Each pixel takes max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|; or the power
+    /// of two, whose error [`super::bound`] bounds.
     terms: [[[f64x4<S>; 3]; 3]; 4],
-    /// The factors of n.l, in levels; 0 where no terminator crosses.
-    terminator: [f64x4<S>; 3],
+    /// The factors of max(0, n.l) or s^rho, in levels; 0 where there is no fourth channel.
+    factors: [f64x4<S>; 3],
     /// None where the rest of the tolerance does not suffice or a sample is not a number.
     pub kinds: [Option<SquareKind>; 4],
+    /// The squares whose three channels are linear.
+    linear: Squares,
     /// The squares that are drawn in multiples of 1/256 level.
     fixed: Squares,
 }
 
 impl<S: Simd> Interpolant<S> {
-    /// Chooses the cheapest rows whose error is at most the rest of the tolerance. The kind is `None` if nothing is left.
+    /// Chooses the cheapest rows whose error is at most the rest of the tolerance. The kind is `None` if nothing is left. Each
+    /// square of `highlights` has the logarithm of a highlight as its fourth channel.
     #[inline(always)]
-    pub fn new(terms: [[[f64x4<S>; 3]; 3]; 4], terminator: [f64x4<S>; 3], rest: f64x4<S>) -> Self {
+    pub fn new(
+        terms: [[[f64x4<S>; 3]; 3]; 4],
+        factors: [f64x4<S>; 3],
+        highlights: Squares,
+        rest: f64x4<S>,
+    ) -> Self {
         let zero = f64x4::splat(rest.token(), 0.0);
         let [mut size, mut error] = [zero; 2];
+        let has_fourth = (factors[0] + factors[1] + factors[2]).simd_gt(0.0);
+        let most = has_fourth.select(zero + FIXED_SUM, zero + FIXED_RANGE[1]);
         let mut inside = rest.simd_gt(0.0);
         // A maximum may lose a NaN, so finiteness is tested on its own.
         let mut finite = inside;
-        let mut cosine = zero;
+        // One for the term.
+        let mut fourth = zero + 1.0;
         for [a, b, c] in terms[3] {
-            cosine = cosine + a.abs() + b.abs() + c.abs();
+            fourth = fourth + a.abs() + b.abs() + c.abs();
         }
         for channel in 0..3 {
             let c = &terms[channel];
@@ -117,9 +142,9 @@ impl<S: Simd> Interpolant<S> {
             let radius = linear + beyond;
             inside = inside
                 & (c[0][0] - radius).simd_ge(FIXED_RANGE[0])
-                & (c[0][0] + radius).simd_le(FIXED_RANGE[1]);
-            let all = c[0][0].abs() + radius + cosine * terminator[channel];
-            finite &= all.simd_lt(f64::INFINITY);
+                & (c[0][0] + radius + fourth * factors[channel]).simd_le(most);
+            let all = c[0][0].abs() + radius + fourth * factors[channel];
+            finite &= all.simd_lt(f64::INFINITY) & fourth.simd_lt(MAX_FOURTH);
             size = size.max(all);
             error = error.max(linear_error);
         }
@@ -127,24 +152,26 @@ impl<S: Simd> Interpolant<S> {
         let fixed = inside & rest.simd_gt(FIXED_ERROR);
         let allowed = fixed.select(rest - FIXED_ERROR, rest);
         let possible = (finite & rest.simd_gt(0.0)).to_bitmask();
-        let all_levels = terminator[0] + terminator[1] + terminator[2];
-        let has_terminator = all_levels.simd_gt(0.0).to_bitmask();
-        let curved = error.simd_gt(allowed).to_bitmask();
+        let has_fourth = has_fourth.to_bitmask();
+        let linear = error.simd_le(allowed).to_bitmask();
         let kinds = four!(|index| {
-            let kind = if has(has_terminator, index) {
+            let kind = if has(highlights, index) {
+                SquareKind::Highlight
+            } else if has(has_fourth, index) {
                 SquareKind::Terminator
-            } else if has(curved, index) {
-                SquareKind::Quadratic
-            } else {
+            } else if has(linear, index) {
                 SquareKind::Linear
+            } else {
+                SquareKind::Quadratic
             };
             has(possible, index).then_some(kind)
         });
         Interpolant {
             terms,
-            terminator,
+            factors,
             kinds,
-            fixed: fixed.to_bitmask() & !has_terminator,
+            linear,
+            fixed: fixed.to_bitmask(),
         }
     }
 
@@ -159,11 +186,12 @@ impl<S: Simd> Interpolant<S> {
     /// The rows of one of the squares, of any kind.
     #[inline(always)]
     pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
-        let terminator = (self.kinds[index] == Some(SquareKind::Terminator))
-            .then(|| three!(|channel| self.terminator[channel].as_array()[index] as f32));
+        let kind = self.kinds[index].unwrap_or(SquareKind::Quadratic);
+        let factors = three!(|channel| self.factors[channel].as_array()[index] as f32);
         let fixed = has(self.fixed, index);
         let color = self.color(index, square);
-        Curve::new(simd, &color, square, fixed, terminator)
+        let linear = has(self.linear, index);
+        Curve::new(simd, &color, square, [linear, fixed], kind, factors)
     }
 
     /// The channels of one of the squares by power of y and of x, in pixels from its middle.
@@ -176,9 +204,10 @@ impl<S: Simd> Interpolant<S> {
             // The middles of the ranges of x^2 and y^2 take their place.
             let middle = c[0][0] + (c[0][2] + c[2][0]) * 0.5 + c[2][2] * 0.25;
             let [right, down] = [c[0][1] + c[2][1] * 0.5, c[1][0] + c[1][2] * 0.5];
-            let c = match self.kinds[index] {
-                Some(SquareKind::Linear) => [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]],
-                _ => c,
+            let c = if channel < 3 && has(self.linear, index) {
+                [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]]
+            } else {
+                c
             };
             let scales = [[1.0, x, x * x], [1.0, y, y * y]];
             color[channel] = three!(|j| three!(|i| c[j][i] * (scales[0][i] * scales[1][j])));

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //!   on a square a light is       dark, n.l <= 0 all over      lit, n.l > 0 all over      crossing      unsure
-//!   its highlight is             drawn, or so faint that it is left out
+//!   its highlight is             drawn, in a polynomial or from its logarithm, or so faint that it is left out
 //!   levels                       ambient + sum of diffuse n.l + specular s^rho, where 1 - s = |r - o|^2 / 2
 //! ```
 //! The lights are classified once. If all errors together leave something of the tolerance, the square is interpolated
@@ -29,6 +29,7 @@ use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
 use super::lanes::{LaneLayout, Squares, dot, has};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
+use super::square::MIN_SIDE;
 use super::surface::Surface;
 use super::{U, bound, limit};
 use crate::components::{PointLight, Projection, unit};
@@ -38,6 +39,10 @@ use crate::simd::{four, inlined, three};
 /// ever has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights,
 /// 480x360).
 const MOST_UNSURE: f64 = 1.0;
+
+/// A square that can be cut is drawn with the power of a highlight at each pixel only if the error of a polynomial exceeds what
+/// is left of the tolerance by this factor: otherwise its quarters may be polynomials, which are cheaper.
+const QUARTERS_BEND: f64 = 16.0;
 
 /// A point light on a face, and on the four squares prepared last.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,6 +60,8 @@ pub struct FaceLight {
     shines: Squares,
     /// Where it is the light that crosses n.l = 0. Its highlight is left out there.
     crosses: Squares,
+    /// Where the logarithm of its highlight is interpolated.
+    logarithms: Squares,
     /// `by_pixel`, scaled to length one at the middle of each square.
     by_square: [Affine<[f32; 4]>; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
@@ -149,15 +156,25 @@ impl<'a> Phong<'a> {
         let zero = f64x4::splat(simd, 0.0);
         let sample = inlined!(|xy| self.levels(simd, LaneLayout::Nodes, xy));
         let terms = sampled(simd, sample);
-        let mut terminator = [zero; 3];
-        for light in self.lights.iter().filter(|light| light.crosses != 0) {
-            let crosses = mask64x4::from_bitmask(simd, light.crosses);
-            for channel in 0..3 {
-                let levels = f64x4::splat(simd, f64::from(light.diffuse[channel]));
-                terminator[channel] += crosses.select(levels, zero);
+        let (mut factors, mut highlights) = ([zero; 3], 0);
+        for light in self.lights.iter() {
+            for (set, levels) in [
+                (light.crosses, light.diffuse),
+                (light.logarithms, light.specular),
+            ] {
+                if set == 0 {
+                    continue;
+                }
+                let set = mask64x4::from_bitmask(simd, set);
+                for channel in 0..3 {
+                    let levels = f64x4::splat(simd, f64::from(levels[channel]));
+                    factors[channel] += set.select(levels, zero);
+                }
             }
+            highlights |= light.logarithms;
         }
-        (Some(Interpolant::new(terms, terminator, rest)), promising)
+        let interpolant = Interpolant::new(terms, factors, highlights, rest);
+        (Some(interpolant), promising)
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -189,7 +206,10 @@ impl<'a> Phong<'a> {
         let mut rest = splat(self.tolerance);
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
-        let (mut left_out, mut has_terminator, mut unsure) = (zero, none, zero);
+        let (mut left_out, mut has_fourth, mut unsure) = (zero, none, zero);
+        let large = extents.half[0]
+            .max(extents.half[1])
+            .simd_gt(MIN_SIDE as f64 / 2.0);
         self.normal_by_square = normal.single();
         self.eye_by_square = eye.single();
         self.shines = 0;
@@ -198,43 +218,57 @@ impl<'a> Phong<'a> {
             let cosine_rounding = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::facing(&normal, &to_light, cosine_rounding * U);
             let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
-            let (mut shines, mut error, mut doubt) = (none, zero, zero);
+            let [mut shines, mut crosses, mut logarithmic] = [none; 3];
+            let mut doubt = zero;
             rounding.add(dark.select(zero, diffuse), cosine_rounding);
+            if interpolate {
+                let error = bound::cosine_error(&normal, &to_light) * diffuse;
+                rest -= dark.select(zero, error);
+            }
             if light.most[1] > 0.0 {
                 let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
                 shines = reflection.most.simd_gt(self.gloss.drawn_above) & !dark;
                 left_out += (shines | dark).select(zero, splat(self.gloss.faint));
-                let chord = self.gloss.propagated(rounding.chord(&to_light));
-                rounding.add(shines.select(specular, zero), chord + POWER_ERROR);
+                let chord = rounding.chord(&to_light);
+                let propagated = self.gloss.propagated(chord);
+                rounding.add(shines.select(specular, zero), propagated + POWER_ERROR);
                 doubt = (lit | !shines).select(zero, cosine_rounding * U);
                 if interpolate {
                     // A highlight that is left out errs by its largest value.
                     let power = bound::power(self.gloss.shininess, reflection.most);
-                    error = power;
+                    let mut error = power;
                     if shines.any_true() {
-                        let (gloss, light) = (self.gloss, &to_light);
-                        let drawn =
-                            bound::highlight_error(gloss, &normal, light, &eye, reflection, power);
+                        let (gloss, fields) = (self.gloss, [&normal, &to_light, &eye]);
+                        let drawn = bound::highlight_error(gloss, fields, reflection, power);
                         error = shines.select(drawn, power);
+                        let bend = large.select(splat(QUARTERS_BEND), one);
+                        logarithmic =
+                            shines & lit & !has_fourth & (error * specular).simd_gt(rest * bend);
+                        if logarithmic.any_true() {
+                            let drawn =
+                                bound::logarithm_error(gloss, fields, reflection, power, chord);
+                            logarithmic &= (drawn * specular).simd_lt(rest);
+                            error = logarithmic.select(drawn, error);
+                            has_fourth |= logarithmic;
+                        }
                     }
+                    rest -= dark.select(zero, error * specular);
                 }
             }
-            let mut crosses = none;
             if interpolate {
                 // One light of a square may cross n.l = 0 there, if its highlight is left out. So a polynomial has a
                 // highlight only where n.l > 0 all over.
                 let idle = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-                crosses = !(lit | dark | idle | shines | has_terminator);
-                has_terminator |= crosses;
+                crosses = !(lit | dark | idle | shines | has_fourth);
+                has_fourth |= crosses;
                 let sure = to_light.is_direction_bounded() & (lit | dark | idle | crosses);
                 unsure += sure.select(zero, one);
                 bounded &= sure;
-                let error = error * specular + bound::cosine_error(&normal, &to_light) * diffuse;
-                rest -= dark.select(zero, error);
             }
             light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
             light.crosses = crosses.to_bitmask();
+            light.logarithms = logarithmic.to_bitmask();
             light.by_square = to_light.single();
             light.doubt = four!(|square| doubt.as_array()[square] as f32);
             self.shines |= light.shines;
@@ -245,7 +279,7 @@ impl<'a> Phong<'a> {
         (rest, (steady & unsure.simd_le(MOST_UNSURE)).to_bitmask())
     }
 
-    /// The levels at points of squares, x and y from -1 to 1, and n.l of the light that crosses at nodes.
+    /// The levels at points of squares, x and y from -1 to 1; and at nodes the fourth channel, whose light is left out of them.
     #[inline(always)]
     pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
@@ -284,9 +318,16 @@ impl<'a> Phong<'a> {
                 let one_minus_cos = dot(&e, &e) * 0.5;
                 let power = specular::power(self.gloss.shininess, one_minus_cos);
                 let power = cosine.simd_gt(zero).select(power, zero);
+                let mut set = light.shines;
+                if let LaneLayout::Nodes = at
+                    && light.logarithms != 0
+                {
+                    set &= !light.logarithms;
+                    let exponent = specular::exponent(self.gloss.shininess, one_minus_cos);
+                    levels[3] += exponent * at.within(simd, light.logarithms, 1.0);
+                }
                 for channel in 0..3 {
-                    levels[channel] +=
-                        power * at.within(simd, light.shines, light.specular[channel]);
+                    levels[channel] += power * at.within(simd, set, light.specular[channel]);
                 }
                 let doubt = cosine.abs().simd_lt(at.lanes(simd, &light.doubt))
                     | (1.0 - one_minus_cos).abs().simd_lt(self.gloss.doubt);

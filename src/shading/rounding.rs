@@ -105,7 +105,7 @@ mod tests {
     use super::super::affine::Affine;
     use super::super::field::{Extents, MAX_RADIUS};
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
-    use super::super::specular::POWER_ERROR;
+    use super::super::specular::{EXPONENT_ERROR, POWER_ERROR};
     use super::super::{field, interpolation};
     use super::*;
     use crate::simd::{Baseline, token};
@@ -290,12 +290,13 @@ mod tests {
         const { assert!(2573.0 / 256.0 < COSINE) };
         let power = goal(include_str!("../../proofs/power.v"), "Goal");
         assert!(power.contains(&format!("<= {POWER_ERROR}/1.")));
+        assert!(power.contains(&format!("({}/10 * z", 10.0 * EXPONENT_ERROR)));
         let rows = goal(include_str!("../../proofs/rows.v"), "Goal");
         let thousandths = (1000.0 * interpolation::ROW_ERROR / U).round();
         assert!(rows.contains(&format!("- 1) <= {thousandths}/1000 * u.")));
         let fixed = goal(include_str!("../../proofs/fixed.g"), "->");
         assert!(fixed.contains(&format!(
-            "(M + v + w)| <= {}b-9",
+            "(M + v + w + t)| <= {}b-9",
             512.0 * interpolation::FIXED_ERROR
         )));
         let cross = goal(include_str!("../../proofs/cross.g"), "->");

@@ -3,7 +3,9 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
+use super::SquareKind;
 use super::display::display;
+use super::specular::exp2;
 use super::square::{MAX_SIDE, Square};
 use crate::simd::{three, two};
 
@@ -33,6 +35,8 @@ pub fn counted<S: Simd>(simd: S, from: usize) -> f32x16<S> {
 const FIXED_OFFSET: f32 = 49_152.0;
 /// The same plus a half: then the whole part is the byte.
 const BIAS: f64 = 49_152.5;
+/// The largest of them whose byte does not overflow.
+const FIXED_MOST: f32 = FIXED_OFFSET + 256.0 - 1.0 / 256.0;
 
 /// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
 /// another. A negative change of the lower half borrows from the upper one. The sum returns it, because each channel's sum
@@ -109,7 +113,7 @@ impl<S: Simd> Rows<S> for Ramp<S> {
     }
 }
 
-/// A biquadratic colour, and max(0, n.l) of one light.
+/// A biquadratic colour, and max(0, n.l) or s^rho of one light.
 pub struct Curve<S: Simd> {
     /// By power of y and of x.
     color: [[[f32; 3]; 3]; 4],
@@ -117,21 +121,25 @@ pub struct Curve<S: Simd> {
     terms: [[f32x16<S>; 3]; 4],
     /// The square's first pixel from the middle, in pixels.
     first: [f32; 2],
+    /// Whether the three channels are linear.
+    linear: bool,
     /// Whether [`FIXED_OFFSET`] and a half are part of the levels, so that these come in multiples of 1/256.
     fixed: bool,
-    /// The factors of n.l, in levels.
-    terminator: Option<[f32; 3]>,
+    kind: SquareKind,
+    /// The factors of max(0, n.l) or s^rho, in levels.
+    factors: [f32; 3],
 }
 
 impl<S: Simd> Curve<S> {
-    /// `color` by channel, n.l last, and power of y and of x, in pixels from a square's middle.
+    /// `color` by channel, n.l or log2(s^rho) last, and power of y and of x, in pixels from a square's middle.
     #[inline(always)]
     pub fn new(
         simd: S,
         color: &[[[f64; 3]; 3]; 4],
         square: &Square,
-        fixed: bool,
-        terminator: Option<[f32; 3]>,
+        [linear, fixed]: [bool; 2],
+        kind: SquareKind,
+        factors: [f32; 3],
     ) -> Self {
         let mut single = [[[0.0; 3]; 3]; 4];
         for channel in 0..4 {
@@ -143,8 +151,10 @@ impl<S: Simd> Curve<S> {
             color: single,
             terms: [[f32x16::splat(simd, 0.0); 3]; 4],
             first: square.first().map(|first| first as f32),
+            linear,
             fixed,
-            terminator,
+            kind,
+            factors,
         }
     }
 
@@ -154,6 +164,27 @@ impl<S: Simd> Curve<S> {
         let y = self.first[1] + row as i32 as f32;
         let [middle, slope, bend] = self.terms[channel];
         (bend * y + slope) * y + middle
+    }
+
+    /// The three channels in a row, with [`BIAS`] where they are fixed. A sum with a term of one light is at most `most`.
+    #[inline(always)]
+    fn sums(&self, row: usize, most: f32) -> [f32x16<S>; 3] {
+        let levels = if self.linear {
+            let y = self.first[1] + row as i32 as f32;
+            three!(|channel| self.terms[channel][1] * y + self.terms[channel][0])
+        } else {
+            three!(|channel| self.at(row, channel))
+        };
+        let term = match self.kind {
+            SquareKind::Terminator => {
+                let cosine = self.at(row, 3);
+                cosine.max(f32x16::splat(cosine.token(), 0.0))
+            }
+            SquareKind::Highlight => exp2(self.at(row, 3)),
+            _ => return levels,
+        };
+        let most = f32x16::splat(term.token(), most);
+        three!(|channel| (levels[channel] + term * self.factors[channel]).min(most))
     }
 }
 
@@ -171,27 +202,22 @@ impl<S: Simd> Rows<S> for Curve<S> {
 
     #[inline(always)]
     fn levels(&self, row: usize) -> [f32x16<S>; 3] {
-        let mut levels = three!(|channel| self.at(row, channel));
-        if let Some(terminator) = self.terminator {
-            let cosine = self.at(row, 3);
-            let lit = cosine.max(f32x16::splat(cosine.token(), 0.0));
-            for channel in 0..3 {
-                levels[channel] += lit * terminator[channel];
-            }
-        }
+        let sums = self.sums(row, f32::INFINITY);
         if self.fixed {
-            levels = three!(|channel| levels[channel] - FIXED_OFFSET - 0.5);
+            three!(|channel| sums[channel] - FIXED_OFFSET - 0.5)
+        } else {
+            sums
         }
-        levels
     }
 
     #[inline(always)]
     fn pixels(&self, row: usize) -> u32x16<S> {
         if self.fixed {
-            let [red, green, blue] = three!(|channel| self.at(row, channel).to_bits());
+            let sums = self.sums(row, FIXED_MOST);
+            let [red, green, blue] = three!(|channel| sums[channel].to_bits());
             ((red << 8) & 0x00ff_0000) | (green & 0xff00) | ((blue >> 8) & 0xff)
         } else {
-            display(self.levels(row))
+            display(self.sums(row, f32::INFINITY))
         }
     }
 }

@@ -34,7 +34,14 @@ pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
     if shininess == 0.0 {
         return f32x16::splat(simd, 1.0);
     }
+    let power = exp2(exponent(shininess, one_minus_cos));
     let zero = f32x16::splat(simd, 0.0);
+    (1.0 - one_minus_cos).simd_gt(zero).select(power, zero)
+}
+
+/// log2(s^rho) for s > 0 and rho > 0.
+#[inline(always)]
+pub fn exponent<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
     let s = 1.0 - one_minus_cos;
     let bits: i32x16<S> = s.bitcast();
     let exponent = (bits - HALF_ROOT_BITS) >> 23;
@@ -44,9 +51,13 @@ pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
     let z2 = z * z;
     // 2 / ln 2 over 1, 3, 5, 7.
     let series = z * (((z2 * 0.412_198_58 + 0.577_078_04) * z2 + 0.961_796_7) * z2 + 2.885_39);
-    let log2 = exponent.to_float::<f32x16<S>>() + series;
+    (exponent.to_float::<f32x16<S>>() + series) * shininess
+}
 
-    let y = (log2 * shininess).max(f32x16::splat(simd, -126.0));
+/// 2^y for y below 127, and at least 2^-126.
+#[inline(always)]
+pub fn exp2<S: Simd>(y: f32x16<S>) -> f32x16<S> {
+    let y = y.max(f32x16::splat(y.token(), -126.0));
     let rounded = y + ROUND;
     let g = y - (rounded - ROUND);
     // ln 2 ^ k / k! for k = 0..=6.
@@ -61,8 +72,11 @@ pub fn power<S: Simd>(shininess: f32, one_minus_cos: f32x16<S>) -> f32x16<S> {
         mantissa = mantissa * g + coefficient;
     }
     let scale: f32x16<S> = ((rounded.to_bits() << 23) + 0x3f80_0000).bitcast();
-    s.simd_gt(zero).select(mantissa * scale, zero)
+    mantissa * scale
 }
+
+/// The largest error of [`exponent`], in roundings, relative: `proofs/power.v`.
+pub const EXPONENT_ERROR: f64 = 10.2;
 
 /// The largest error of [`power`], in roundings, with rho rounded to f32: `proofs/power.v`. It covers 5.8, the largest
 /// (10.2 z + 4.3) e^-z, where z = |ln s^rho| errs by 10.2 u z and the power of two by 4.3 u.

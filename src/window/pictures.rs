@@ -24,6 +24,7 @@ pub const TINTS: [u32; SquareKind::ALL.len()] = [
     0x0056_b4e9,
     0x00f0_e442,
     0x00e6_9f00,
+    0x00cc_79a7,
     0x00d5_5e00,
     0x00ff_ffff,
 ];

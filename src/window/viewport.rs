@@ -174,6 +174,9 @@ impl App {
                 SquareKind::Linear => "Squares with a colour linear in x and y.",
                 SquareKind::Quadratic => "Squares with a colour quadratic in x and in y.",
                 SquareKind::Terminator => "As quadratic, where n.l of one light changes sign.",
+                SquareKind::Highlight => {
+                    "As quadratic, with the power of one highlight at each pixel."
+                }
                 _ => "Squares in which the model is evaluated at each pixel.",
             });
         }

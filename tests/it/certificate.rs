@@ -8,8 +8,10 @@ mod overshoot;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
-use shadetrade::frame::{Counts, Keep, SQUARE_EDGE};
+use shadetrade::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
 use shadetrade::shading::{EXACT, SquareKind};
+use shadetrade::simd::{NAMES, name, named};
+use shadetrade::systems;
 use shadetrade::trade::metrics::pixel_error;
 
 use crate::support::cases::{cases, values};
@@ -66,14 +68,15 @@ fn no_pixel_exceeds_its_tolerance_and_every_kind_of_square_comes_near_it() {
     }
     println!("{most:.3?} of the tolerance, {pixels:?} pixels");
     for kind in SquareKind::ALL {
-        // Few scenes have a terminator that needs most of its bound.
+        // Few scenes have a terminator that needs most of its bound, and few a highlight in the middle of the picture.
         let is_tight = match kind {
-            SquareKind::PerPixel | SquareKind::InF64 => true,
+            SquareKind::PerPixel | SquareKind::InF64 | SquareKind::Highlight => true,
             SquareKind::Terminator if scenes < 50 => true,
             _ => most[kind as usize] > 0.15,
         };
         assert!(is_tight, "{kind:?} is too loose: {most:?}");
-        assert!(pixels[kind as usize] > 50 * scenes, "{kind:?}: {pixels:?}");
+        let is_seen = pixels[kind as usize] > 50 * scenes || kind == SquareKind::Highlight;
+        assert!(is_seen, "{kind:?}: {pixels:?}");
     }
 }
 
@@ -111,6 +114,72 @@ fn quadratic_squares_come_near_the_tolerance_where_the_bound_is_tight() {
         }
     }
     assert!(most > 0.6, "{most} is too loose to show a mistake");
+}
+
+/// A square with a highlight in its middle; `mirror` is where the light is from there.
+fn highlight(forward: DVec3, pitch: f64, shininess: f64, mirror: DVec3) -> (World, View) {
+    let light = (LightKind::Specular, DVec3::Z + mirror);
+    face(DVec3::splat(2.0), forward, pitch, shininess, light)
+}
+
+#[test]
+fn a_highlight_is_a_power_at_each_pixel_where_a_polynomial_bends_too_much() {
+    let random = &mut Random(31);
+    let (mut most, mut drawn) = (0.0_f64, 0);
+    for _ in 0..10 * cases(30) {
+        let [x, y] = [(); 2].map(|()| random.within(-0.6, 0.6));
+        let forward = DVec3::new(x, y, -1.0).normalize();
+        let away = DVec3::new(x, y, 1.0) + random.around(0.1);
+        let light = away * random.between(2.0, 1e5);
+        let [pitch, shininess] = [random.between(3e-4, 1e-2), random.between(2.0, 1e3)];
+        let (mut world, view) = highlight(forward, pitch, shininess, light);
+        let view = view.with_tolerance(random.between(0.01, 8.0));
+        let counts = draw(&mut world, &view, Keep::Display).counts();
+        let [.., exact, in_f64] = counts.squares;
+        assert_eq!(exact + in_f64 == 0, counts.model_evaluations == 0);
+        for (kind, share) in shares(&mut world, &view) {
+            if kind == SquareKind::Highlight {
+                most = most.max(share);
+                drawn += 1;
+            }
+        }
+    }
+    println!("{drawn} pixels, {most:.3} of the tolerance");
+    assert!(drawn > 500 * cases(30), "{drawn}");
+    // The bound adds what the rotations of n, l and o can do together. `derivatives` shows that it is not too loose.
+    assert!(most > 0.02, "{most}");
+}
+
+#[test]
+fn at_every_simd_level_the_power_of_a_highlight_is_near_the_model_and_counted_once_a_pixel() {
+    let [forward, light] = [-1.0, 1e6].map(|z| DVec3::new(0.3, 0.2, 1.0) * z);
+    let (mut world, view) = highlight(forward.normalize(), 0.1 / 15.5, 20.0, light);
+    let view = view.with_tolerance(4.0);
+    let truth = truth(&world, &view);
+    let mut first = None;
+    for level in NAMES.into_iter().filter_map(named) {
+        let workers = Workers::new(1, level).expect("one thread");
+        let mut frame = Frame::new(Keep::Levels, workers);
+        systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
+        let counts = frame.counts();
+        let highlights = counts.squares[SquareKind::Highlight as usize];
+        assert!(highlights > 0 && counts.model_evaluations == 0);
+        assert_eq!(counts.specular_evaluations, 256 * highlights);
+        for (found, exact) in frame.levels().iter().zip(&truth.levels) {
+            assert!(pixel_error(*found, *exact) <= 4.0);
+        }
+        let bits: Vec<_> = frame
+            .levels()
+            .iter()
+            .map(|it| it.map(f32::to_bits))
+            .collect();
+        assert_eq!(
+            *first.get_or_insert_with(|| bits.clone()),
+            bits,
+            "{}",
+            name(level)
+        );
+    }
 }
 
 #[test]

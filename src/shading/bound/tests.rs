@@ -54,8 +54,8 @@ fn value(vector: &Affine, x: f64, y: f64) -> DVec3 {
     vector.at(x, y).normalize()
 }
 
-/// The largest difference on a dense grid between a function and its interpolant through nine samples.
-fn interpolation(f: impl Fn(f64, f64) -> f64) -> f64 {
+/// The largest difference on a dense grid between a function and its interpolant through nine samples, once both are mapped.
+fn interpolation(f: impl Fn(f64, f64) -> f64, map: impl Fn(f64) -> f64) -> f64 {
     let lagrange = |x: f64| {
         let r2 = NODE * NODE;
         [
@@ -77,7 +77,7 @@ fn interpolation(f: impl Fn(f64, f64) -> f64) -> f64 {
                     sum += samples[j][i] * along[i] * down[j];
                 }
             }
-            worst = worst.max((sum - f(x, y)).abs());
+            worst = worst.max((map(sum) - map(f(x, y))).abs());
         }
     }
     worst
@@ -135,7 +135,8 @@ fn the_cosine_strays_no_further_than_its_bound() {
         let [n, l] = [normal, light].map(|vector| Field::new(&vector, &extents));
         if one(n.radius.max(l.radius)) < MAX_RADIUS {
             let bound = one(cosine_error(&n, &l));
-            let error = interpolation(|x, y| value(&normal, x, y).dot(value(&light, x, y)));
+            let cosine = |x, y| value(&normal, x, y).dot(value(&light, x, y));
+            let error = interpolation(cosine, |cosine| cosine);
             ratios.push((error - 1e-14) / bound);
         }
     }
@@ -145,7 +146,7 @@ fn the_cosine_strays_no_further_than_its_bound() {
 #[test]
 fn a_highlight_strays_no_further_than_its_bound() {
     let mut random = Random(2);
-    let mut ratios = Vec::new();
+    let [mut ratios, mut logarithms] = [Vec::new(), Vec::new()];
     for index in 0..6000 {
         let [normal, light, eye] = scene(&mut random);
         let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
@@ -180,13 +181,21 @@ fn a_highlight_strays_no_further_than_its_bound() {
         }
         let gloss = gloss(shininess, 0.5);
         let most = power(shininess as f32, range.most);
-        let bound = one(highlight_error(&gloss, &n, &l, &o, range, most));
+        let fields = [&n, &l, &o];
+        let bound = one(highlight_error(&gloss, fields, range, most));
         if bound < 1.0 {
-            let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess));
+            let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess), |power| power);
             ratios.push((error - 1e-14) / (bound + 1e-14));
+        }
+        let none = Number::splat(token(), 0.0);
+        let bound = one(logarithm_error(&gloss, fields, range, most, none));
+        if bound < 1.0 {
+            let error = interpolation(|x, y| s(x, y).ln() * shininess, f64::exp);
+            logarithms.push((error - 1e-14) / (bound + 1e-14));
         }
     }
     judge(ratios, 2000);
+    judge(logarithms, 2000);
 }
 
 #[test]
@@ -204,7 +213,8 @@ fn a_quotient_strays_no_further_than_its_bound() {
         let [numerator, w] = [Affine::new(a, b, c), Affine::new(1.0, e, g)]
             .map(|of| of.map(|number| Number::splat(token(), number)));
         let bound = one(quotient_error(numerator, w));
-        let error = interpolation(|x, y| (a + b * x + c * y) / (1.0 + e * x + g * y));
+        let quotient = |x, y| (a + b * x + c * y) / (1.0 + e * x + g * y);
+        let error = interpolation(quotient, |quotient| quotient);
         ratios.push((error - 1e-10) / (bound + 1e-12));
     }
     judge(ratios, 4000);
@@ -293,16 +303,77 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
         least: number(0.5),
         sine: number(0.75_f64.sqrt()),
     };
-    let found = highlight_error(
-        &gloss(1.0, 0.5),
-        &resting,
-        &moving,
-        &resting,
-        range,
-        number(0.5),
-    );
-    let expected = (0.3 * 0.02 / 3.0_f64.sqrt() + 0.003) / 24.0;
-    assert!((one(found) / expected - 1.0).abs() < 1e-6);
+    let (gloss, fields, half) = (gloss(1.0, 0.5), [&resting, &moving, &resting], number(0.5));
+    let found = highlight_error(&gloss, fields, range, half);
+    let third = 0.3 * 0.02 / 3.0_f64.sqrt() + 0.003;
+    assert!((one(found) / third * 24.0 - 1.0).abs() < 1e-6);
+
+    // ln s with s'''/s, and with tan(60) = sqrt(3): 3 tan / s (E_1 E_2 + E_1^3) + 2 tan^3 E_1^3.
+    let tan = 3.0_f64.sqrt();
+    let third = 2.0 * third + 6.0 * tan * (0.002 / tan + 0.001) + 2.0 * tan.powi(3) * 0.001;
+    let sample = (2.0 + EXPONENT_ERROR / 2.0) * 2.0 * U * AMPLIFICATION;
+    let expected = third / 24.0 + sample;
+    let found = one(logarithm_error(&gloss, fields, range, half, half * 0.0));
+    assert!((found / (0.5 * expected / (1.0 - expected)) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_logarithm_in_f32_errs_by_no_more_than_is_counted() {
+    let rounding = 100.0;
+    let mut most = 0.0_f64;
+    for rho in [1e-3, 0.5, 1.0, 10.0, 76.8, 1e3, 1e6] {
+        for step in 0..=4000 {
+            // Up to s = 1/4.
+            let chord = 1.5_f64.sqrt() * (f64::from(step) / 4000.0).powi(2);
+            let exact = |chord: f64| 1.0 - chord * chord / 2.0;
+            for sign in [1.0, -1.0] {
+                let moved = (chord + sign * rounding * U).max(0.0);
+                let one_minus_cos = moved * moved / 2.0 * (1.0 + sign * 3.0 * U);
+                let lanes = f32x16::splat(token(), one_minus_cos as f32);
+                let found = f64::from(specular::exponent(rho as f32, lanes)[0]);
+                let error = found * std::f64::consts::LN_2 - rho * exact(chord).ln();
+                let [chord, over] =
+                    [chord, 1.0 / exact(chord)].map(|it| Number::splat(token(), it));
+                let lanes = Number::splat(token(), rounding);
+                let count = rho * one(logarithm_rounding(chord, lanes, over)) * U;
+                most = most.max(error.abs() / count);
+            }
+        }
+    }
+    println!("{most:.3} of the count");
+    assert!(most <= 1.0, "the count is {most} times too small");
+    assert!(most > 0.9, "the count is loose: {most}");
+}
+
+#[test]
+fn a_logarithm_has_no_bound_where_s_may_be_small_or_the_error_large() {
+    let number = |value| f64x4::splat(token(), value);
+    let extents = square(0.5);
+    let vector = Affine {
+        centre: DVec3::Z,
+        ..Affine::default()
+    };
+    let resting = Field::new(&vector, &extents);
+    let found = |least: f64, rounding: f64| {
+        let range = Reflection {
+            most: number(1.0),
+            least: number(least),
+            sine: number((1.0 - least * least).sqrt()),
+        };
+        let fields = [&resting; 3];
+        let error = logarithm_error(
+            &gloss(76.8, 0.5),
+            fields,
+            range,
+            number(1.0),
+            number(rounding),
+        );
+        one(error)
+    };
+    assert!(found(0.3, 50.0) < 0.01);
+    for [least, rounding] in [[0.2, 50.0], [0.3, 1e4], [f64::NAN, 50.0], [0.3, f64::NAN]] {
+        assert_eq!(found(least, rounding), f64::INFINITY, "{least}, {rounding}");
+    }
 }
 
 #[test]

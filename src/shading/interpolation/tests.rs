@@ -8,10 +8,13 @@ use crate::shading::rows::Rows;
 use crate::shading::running::Rounded;
 use crate::simd::{Baseline, token};
 
+/// The term that each pixel makes of the fourth channel, and its factors.
+type Fourth = Option<(SquareKind, [f64; 3])>;
+
 /// Compares every pixel of a square with its polynomial.
 struct Judge {
     color: [[[f64; 3]; 3]; 4],
-    terminator: [f64; 3],
+    fourth: Fourth,
     side: usize,
     worst: f64,
     /// Pixels that differ from the display step of the levels, and others.
@@ -26,8 +29,13 @@ impl Judge {
             let terms = (0..9).map(|term| nine[term / 3][term % 3] * y[term / 3] * x[term % 3]);
             terms.sum::<f64>()
         };
-        let lit = value(&self.color[3]).max(0.0);
-        [0, 1, 2].map(|channel| value(&self.color[channel]) + lit * self.terminator[channel])
+        let fourth = value(&self.color[3]);
+        let (term, factors) = match self.fourth {
+            Some((SquareKind::Highlight, factors)) => (fourth.exp2(), factors),
+            Some((_, factors)) => (fourth.max(0.0), factors),
+            None => (0.0, [0.0; 3]),
+        };
+        [0, 1, 2].map(|channel| value(&self.color[channel]) + term * factors[channel])
     }
 }
 
@@ -57,20 +65,27 @@ impl Judge {
 
 fn judge(
     color: &[[[f64; 3]; 3]; 4],
-    terminator: Option<[f64; 3]>,
+    fourth: Fourth,
     side: usize,
     rest: f64,
-) -> (Option<(SquareKind, bool)>, Judge) {
+) -> (Option<(SquareKind, [bool; 2])>, Judge) {
     let simd = token();
     let lanes = |number| f64x4::splat(simd, number);
     let interpolant = Interpolant::new(
         color.map(|nine| nine.map(|row| row.map(lanes))),
-        terminator.unwrap_or_default().map(lanes),
+        fourth.map_or([0.0; 3], |it| it.1).map(lanes),
+        fourth.map_or(0, |it| {
+            if it.0 == SquareKind::Highlight {
+                0b1111
+            } else {
+                0
+            }
+        }),
         lanes(rest),
     );
     let mut judge = Judge {
         color: *color,
-        terminator: terminator.unwrap_or_default(),
+        fourth,
         side,
         worst: 0.0,
         shown: [0; 2],
@@ -83,10 +98,8 @@ fn judge(
             None => judge.draw(&mut interpolant.curve(simd, 2, &square)),
         }
     }
-    (
-        kind.map(|kind| (kind, interpolant.fixed >> 2 & 1 == 1)),
-        judge,
-    )
+    let form = [interpolant.linear, interpolant.fixed].map(|squares| has(squares, 2));
+    (kind.map(|kind| (kind, form)), judge)
 }
 
 #[test]
@@ -115,11 +128,15 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
             nine(middle, slope, curve),
             nine(middle, slope, curve),
             nine(middle, slope, curve),
-            nine(0.0, 0.5, 0.1),
+            nine([0.0, -3.0][(case % 2) as usize], 0.5, 0.1),
         ];
-        let terminator = (case % 5 == 0).then_some([200.0, 90.0, 0.0]);
+        let fourth = match case % 10 {
+            0 => Some((SquareKind::Terminator, [200.0, 90.0, 0.0])),
+            5 => Some((SquareKind::Highlight, [2000.0, 90.0, 0.0])),
+            _ => None,
+        };
         let side = [16, 32][case as usize % 2];
-        let (form, judge) = judge(&color, terminator, side, rest);
+        let (form, judge) = judge(&color, fourth, side, rest);
         let Some(form) = form else {
             continue;
         };
@@ -135,11 +152,8 @@ fn every_form_stays_within_its_budget_and_shows_the_levels_it_has() {
             judge.shown
         );
     }
-    assert_eq!(
-        forms.len(),
-        5,
-        "two kinds, in steps or not, and terminators: {forms:?}"
-    );
+    // A colour is linear or not, and in steps or not; each alone, with a terminator and with a highlight.
+    assert_eq!(forms.len(), 12, "{forms:?}");
 }
 
 #[test]
@@ -147,7 +161,7 @@ fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
     let fixed = |middle: f64, slope: f64, rest: f64| {
         let nine = [[middle, slope, 0.0], [0.0; 3], [0.0; 3]];
         let color = [nine, nine, nine, [[0.0; 3]; 3]];
-        judge(&color, None, 16, rest).0.map(|(_, fixed)| fixed)
+        judge(&color, None, 16, rest).0.map(|(_, [_, fixed])| fixed)
     };
     assert_eq!(fixed(100.0, 8.0, 0.5), Some(true));
     assert_eq!(fixed(100.0, 8.0, 1e-3), Some(false), "too coarse for it");
@@ -198,7 +212,7 @@ fn steps_of_a_256th_cost_what_they_are_said_to() {
         // Too little to leave out what is bent.
         let rest = FIXED_ERROR + 256.0 * ROW_ERROR;
         let (form, judge) = judge(&[red, green, blue, [[0.0; 3]; 3]], None, 16, rest);
-        assert!(form.is_some_and(|(_, fixed)| fixed), "{form:?}");
+        assert!(form.is_some_and(|(_, [_, fixed])| fixed), "{form:?}");
         worst = worst.max(judge.worst);
     }
     println!("{:.3} of the count", worst / FIXED_ERROR);
@@ -229,7 +243,7 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
             let mut kinds = [0; 3];
             for step in 1..=120 {
                 let rest = f64::from(step) / 100.0;
-                let interpolant = Interpolant::new(terms, [number(0.0); 3], number(rest));
+                let interpolant = Interpolant::new(terms, [number(0.0); 3], 0, number(rest));
                 let kind = interpolant.kinds[0].expect("a rest of the tolerance");
                 kinds[kind as usize] += 1;
                 // Half extents of a pixel.
@@ -251,19 +265,23 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
 }
 
 #[test]
-fn a_terminator_of_any_channel_is_drawn_unless_its_levels_are_rounded_too_coarsely() {
-    for channel in 0..3 {
-        for cosine in [-1.0, 1.0] {
+fn a_fourth_channel_is_drawn_in_any_other_unless_its_levels_are_rounded_too_coarsely() {
+    for kind in [SquareKind::Terminator, SquareKind::Highlight] {
+        for (channel, fourth) in (0..3).flat_map(|channel| [-1.0, 1.0].map(|it| (channel, it))) {
             let mut color = [[[0.0; 3]; 3]; 4];
-            color[3][0][0] = cosine;
-            let kind = |levels: f64| {
-                let mut terminator = [0.0; 3];
-                terminator[channel] = levels;
-                let (kind, _) = judge(&color, Some(terminator), 16, 0.5);
-                kind.map(|(kind, _)| kind)
+            color[3][0][0] = fourth;
+            let found = |levels: f64| {
+                let mut factors = [0.0; 3];
+                factors[channel] = levels;
+                let (form, _) = judge(&color, Some((kind, factors)), 16, 0.5);
+                form.map(|(kind, _)| kind)
             };
-            assert_eq!(kind(100.0), Some(SquareKind::Terminator));
-            assert_eq!(kind(1e9), None);
+            assert_eq!(found(100.0), Some(kind));
+            assert_eq!(found(1e9), None);
+            // So long an exponent has no digits behind the point.
+            color[3][0][0] = 1e7 * fourth;
+            let (form, _) = judge(&color, Some((kind, [1e-9; 3])), 16, 0.5);
+            assert_eq!(form, None);
         }
     }
 }

@@ -21,8 +21,8 @@ use crate::simd::{dispatch, four, outlined};
 
 /// The least number of pixels of four squares for which bounds are computed. Bounds cost as much as the evaluation of about 500
 /// pixels, and may fail. Without this limit the default scene at 120x90 takes 30 % more time, a scene of 18 lights and 7 cuboids
-/// at 220x220 5 % more, and large pictures up to 4 % less (Phong, tolerance 0.5, one thread).
-const WORTHWHILE: usize = 768;
+/// at 220x220 5 % more, and large pictures the same time (Phong, tolerance 0.5, one thread).
+const WORTHWHILE: usize = 512;
 
 impl DrawList {
     /// Draws the pixels of a band in which a piece is seen.

@@ -13,7 +13,9 @@ use glam::DVec3;
 use shadetrade::components::Illumination;
 use shadetrade::shading::Surface;
 use shadetrade::shading::affine::Affine;
-use shadetrade::shading::bound::{self, cosine_error, facing, highlight_error, reflection};
+use shadetrade::shading::bound::{
+    self, cosine_error, facing, highlight_error, logarithm_error, reflection,
+};
 use shadetrade::shading::field::{Extents, Field, MAX_RADIUS};
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::simd::{Baseline, baseline};
@@ -37,6 +39,16 @@ fn power(f: &Taylor, exponent: f64) -> Taylor {
         p[k] = terms.sum::<f64>() / (k as f64 * f[0]);
     }
     p
+}
+
+/// ln f for f > 0, from f l' = f' coefficient by coefficient.
+fn logarithm(f: &Taylor) -> Taylor {
+    let mut l = [f[0].ln(); 4];
+    for k in 1..4 {
+        let terms = (1..k).map(|j| j as f64 * l[j] * f[k - j]);
+        l[k] = (f[k] - terms.sum::<f64>() / k as f64) / f[0];
+    }
+    l
 }
 
 fn dot(f: &[Taylor; 3], g: &[Taylor; 3]) -> Taylor {
@@ -153,6 +165,7 @@ const SHININESS: [f64; 9] = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.5, 10.0, 76.8];
 #[test]
 fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
     let (mut lit, mut reflected, mut shares) = (0.0, 0.0, [0.0_f64; SHININESS.len()]);
+    let mut logarithms = 0.0;
     let mut random = Random(16);
     for case in 0..20 * cases(100) {
         let [n, l, o] = vectors(&mut random);
@@ -186,18 +199,30 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
         }
         let index = case % SHININESS.len();
         let shininess = SHININESS[index];
-        let highlight = error(|place, axis| {
+        let s = |place, axis| {
             let [n, l, o] = [&n, &l, &o].map(|vector| unit(vector, place, axis));
             let (both, across) = (times(&dot(&n, &l), &dot(&n, &o)), dot(&l, &o));
-            power(&from_fn(|k| 2.0 * both[k] - across[k]), shininess)
-        });
+            from_fn(|k| 2.0 * both[k] - across[k])
+        };
+        let highlight = error(|place, axis| power(&s(place, axis), shininess));
         let most = bound::power(shininess as f32, range.most);
         let (material, dark) = (white(shininess), Illumination::default());
         let gloss = Gloss::new(&Surface::new(&material, &dark, DVec3::ZERO), 0.5);
-        let bound = highlight_error(&gloss, &normal, &light, &eye, range, most);
+        let fields = [&normal, &light, &eye];
+        let bound = highlight_error(&gloss, fields, range, most);
         keep(&mut shares[index], highlight, bound.as_array()[0]);
+        // An error x of the exponent makes x / (1 - x) of the power.
+        let bound = logarithm_error(&gloss, fields, range, most, none);
+        if bound.as_array()[0].is_finite() {
+            let bound = bound / (bound + most);
+            let found = shininess * error(|place, axis| logarithm(&s(place, axis)));
+            keep(&mut logarithms, found, bound.as_array()[0]);
+        }
     }
-    println!("largest shares of the bounds: {lit:.3} for n.l, {shares:.3?} for s^rho");
-    let is_tight = lit > 0.5 && reflected > 0.5 && shares.iter().all(|share| *share > 0.5);
-    assert!(is_tight, "too loose to show a mistake: {lit}, {shares:?}");
+    println!(
+        "largest shares of the bounds: {lit:.3} for n.l, {shares:.3?} for s^rho, {logarithms:.3} for its logarithm"
+    );
+    let found = [&shares[..], &[lit, reflected, logarithms]].concat();
+    let is_tight = found.iter().all(|share| *share > 0.5);
+    assert!(is_tight, "too loose to show a mistake: {found:?}");
 }
