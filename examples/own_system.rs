@@ -25,17 +25,9 @@ fn main() -> anyhow::Result<()> {
     for cuboid in ordered::<Mesh>(&scene.world) {
         scene.world.insert_one(cuboid, Step(64.0))?;
     }
-    let [
-        spin,
-        viewpoint,
-        normals,
-        projection,
-        lighting,
-        rasterization,
-    ] = FRAME;
+    let [spin, normals, projection, lighting, rasterization] = FRAME;
     let stages = [
         spin,
-        viewpoint,
         normals,
         projection,
         lighting,

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! scene.toml <--SceneRecord--> World --FRAME--> Frame
-//!                               |  spin -> viewpoint -> normals -> projection -> lighting -> rasterization
+//!                               |  spin -> normals -> projection -> lighting -> rasterization
 //!                               |                                         |--> window            (view)
 //!                               |                                         |--> PNG               (render, figures)
 //!                               |--reference (f64)--> truth --metrics--> table, best trades, error map (trade, window)
@@ -24,19 +24,17 @@
 //! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large and how
 //! precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
 //!
-//! **A frame runs six systems**, in the order of [`systems::FRAME`]; each is a function of the world, the view and
+//! **A frame runs five systems**, in the order of [`systems::FRAME`]; each is a function of the world, the view and
 //! the frame. `tests/it/systems` tests each alone.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
-//! 2. [`systems::viewpoint`]: the camera's axes and scale, from the view. [`components::Camera::of`] says where a
-//!    camera stands once its orbit has moved it.
-//! 3. [`systems::normals`]: the mesh's vertex normals, turned. A vertex normal is the normalised sum of the unit normals of
+//! 2. [`systems::normals`]: the mesh's vertex normals, turned. A vertex normal is the normalised sum of the unit normals of
 //!    the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
 //!    own axes a corner has the normal (±1, ±1, ±1) / √3.
-//! 4. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
-//!    by depth and snapped to 1/256 pixel.
-//! 5. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud.
-//! 6. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
+//! 3. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
+//!    by depth and snapped to 1/256 pixel. [`components::Camera::of`] says where a camera stands once its orbit has moved it.
+//! 4. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud.
+//! 5. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
 //!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader. The display step
 //!    comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
@@ -113,7 +111,7 @@
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and
 //! shares no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]).
-//! [`trade`] compares methods with it in f64 and measures their times; [`trade::metrics`] has the errors. In intervals, rounded
+//! [`trade`] compares methods with it in f64 and measures their times; [`metrics`] has the errors. In intervals, rounded
 //! outwards, the reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the
 //! drawn picture with that.
 //!
@@ -122,7 +120,7 @@
 //! # use shadetrade::frame::{Frame, Keep, Workers};
 //! # use shadetrade::{scene::Scene, systems};
 //! use shadetrade::{reference, report::Monitor};
-//! use shadetrade::trade::metrics::{Picture, compare};
+//! use shadetrade::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View::of(&scene.world, [320, 240]).shaded(ShadingMode::Phong);
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
@@ -163,7 +161,7 @@
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
-//! - a metric: a pure function in [`trade::metrics`], and a field of [`trade::Measurement`], which JSON has automatically;
+//! - a metric: a pure function in [`metrics`], and a field of [`trade::Measurement`], which JSON has automatically;
 //!   a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
@@ -182,7 +180,8 @@
 //! cli          window       extremes
 //! prove        requires     pictures     probe
 //! trade
-//! drawing      systems      reference
+//! drawing      metrics
+//! systems      reference
 //! frame
 //! shading      scene        output
 //! components   paint        memory       simd       report
@@ -206,6 +205,7 @@ pub mod drawing;
 pub mod extremes;
 pub mod frame;
 pub mod memory;
+pub mod metrics;
 pub mod output;
 pub mod paint;
 pub mod pictures;

@@ -25,12 +25,12 @@ use serde::Serialize;
 use crate::components::{TriangleId, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
+use crate::metrics::{difference, displayed, ends};
 use crate::reference::{Interval, Real, Reference, Seen};
 use crate::report::Monitor;
 use crate::report::progress::bands;
 use crate::shading::limit;
 use crate::systems;
-use crate::trade::metrics::{difference, displayed, ends};
 pub use png::{PngPicture, read as read_png};
 
 /// How far a level may be from its byte, in levels.

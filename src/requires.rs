@@ -23,11 +23,11 @@ pub mod command;
 use serde::Serialize;
 
 use crate::components::{Mesh, ShadingMode, View, ordered};
+use crate::metrics::{difference, ends};
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::report::Monitor;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
-use crate::trade::metrics::{difference, ends};
 
 /// A part of the model. Cuboids and lights are given by their index in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

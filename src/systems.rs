@@ -6,7 +6,6 @@ pub mod normals;
 pub mod projection;
 pub mod rasterization;
 pub mod spin;
-pub mod viewpoint;
 
 use std::ops::Range;
 
@@ -20,9 +19,8 @@ use crate::memory::OutOfMemory;
 pub type Stage = fn(&mut World, &View, &mut Frame);
 
 /// The stages of a frame, in order.
-pub const FRAME: [Stage; 6] = [
+pub const FRAME: [Stage; 5] = [
     spin::run,
-    viewpoint::run,
     normals::run,
     projection::run,
     lighting::run,

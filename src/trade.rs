@@ -14,7 +14,8 @@
 //!       |        o      x
 //!       +---------------- time
 //! ```
-//! The methods on the front are the best trades: every faster method errs more, and every more exact one is slower.
+//! The methods on the front are the best trades: no other method is both faster and more exact. Of two with equal errors the
+//! faster is on it.
 
 pub mod accuracy;
 pub mod batch;
@@ -23,7 +24,6 @@ pub mod error_map;
 pub mod export;
 pub mod machine;
 pub mod measurement;
-pub mod metrics;
 pub mod plot;
 pub mod timing;
 pub mod verdict;

@@ -2,10 +2,10 @@
 
 use super::ProbedSurface;
 use crate::components::{LightKind, ShadingMode};
+use crate::metrics::displayed;
 use crate::reference::LightSample;
 use crate::report::words::{CHANNELS, short};
 use crate::shading::SquareKind;
-use crate::trade::metrics::displayed;
 
 /// Levels that differ by less than this agree: no eye tells them apart.
 const AGREE: f64 = 1.0;

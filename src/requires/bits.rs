@@ -28,12 +28,12 @@ use super::{error, rows};
 use crate::components::{
     FACES, LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
 };
+use crate::metrics::ends;
 use crate::reference::{Interval, LightSample, Reference, Sample, in_row};
 use crate::report::Monitor;
 use crate::report::words::short;
 use crate::scene::{CuboidRecord, Scene, SceneRecord};
 use crate::shading::limit;
-use crate::trade::metrics::ends;
 
 /// A stage of the model, in the order of [`STAGES`].
 #[derive(Clone, Copy, PartialEq, Eq)]

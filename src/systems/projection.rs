@@ -16,9 +16,11 @@ use hecs::World;
 use self::frustum::Frustum;
 use crate::components::{FACES, Lens, Mesh, Projected, Projection, View, WorldTransform};
 use crate::frame::Frame;
+use crate::shading::face::Rays;
 
-/// Overwrites the [`Projected`] of every cuboid.
-pub fn run(world: &mut World, _view: &View, frame: &mut Frame) {
+/// Overwrites the lens and the lines of sight of the frame, and the [`Projected`] of every cuboid.
+pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
+    frame.list.rays = Rays::new(&Lens::new(view));
     for (transform, mesh, projected) in
         world.query_mut::<(&WorldTransform, &Mesh, &mut Projected)>()
     {

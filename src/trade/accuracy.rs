@@ -14,11 +14,11 @@ use glam::DVec3;
 
 use super::error_map::Scale;
 use super::measurement::{Measurement, Request};
-use super::metrics::{Picture, compare, compared};
 use super::timing::Timing;
 use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_step};
 use crate::memory;
+use crate::metrics::{Picture, compare, compared};
 use crate::reference;
 use crate::report::Monitor;
 use crate::scene::Scene;

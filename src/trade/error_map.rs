@@ -6,8 +6,8 @@
 
 use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
 
-use super::metrics::Pixel;
 use crate::frame::display_pixel;
+use crate::metrics::Pixel;
 use crate::paint::{annotate, color};
 
 /// The colour of a pixel at which neither picture shows a cuboid, 0x00RRGGBB.
@@ -157,7 +157,7 @@ pub fn with_legend(
 mod tests {
     use super::*;
     use crate::components::TriangleId;
-    use crate::trade::metrics::{Picture, compared};
+    use crate::metrics::{Picture, compared};
 
     #[test]
     fn labels_are_centred_below_the_scale_and_apart() {

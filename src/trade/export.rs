@@ -102,7 +102,7 @@ fn legend(report: &Report) -> String {
         "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \
          greatest median of a run, each a process of its own. Largest error: \
          in levels, against exact Phong in f64. Highlight kept: how much of the highlight of exact Phong is shown where it \
-         belongs. Best trade: every faster method errs more, and every more exact one is slower.{note}"
+         belongs. Best trade: no other method is both faster and more exact.{note}"
     )
 }
 

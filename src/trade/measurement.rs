@@ -5,11 +5,11 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::machine::Machine;
-use super::metrics::ErrorStatistics;
 use super::timing::Timing;
 use crate::components::Projection;
 use crate::drawing::Drawing;
 use crate::frame::Counts;
+use crate::metrics::ErrorStatistics;
 use crate::shading::Method;
 
 /// The view and the methods to measure.

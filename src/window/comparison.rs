@@ -6,12 +6,12 @@ use hecs::World;
 use crate::components::{ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers, display_pixel};
 use crate::memory;
+use crate::metrics::{self, Picture};
 use crate::reference;
 use crate::report::Monitor;
 use crate::report::progress::bands;
 use crate::systems;
 use crate::trade::error_map::Scale;
-use crate::trade::metrics::{self, Picture};
 
 /// A picture against the reference in f64.
 #[derive(Clone, Debug, Default, PartialEq)]

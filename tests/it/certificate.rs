@@ -9,10 +9,10 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
+use shadetrade::metrics::pixel_error;
 use shadetrade::shading::{EXACT, SquareKind};
 use shadetrade::simd::{NAMES, name, named};
 use shadetrade::systems;
-use shadetrade::trade::metrics::pixel_error;
 
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;

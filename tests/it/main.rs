@@ -1,5 +1,6 @@
 //! Every test that needs no display, as one program, so that the crate is linked once.
 
+mod cameras;
 mod certificate;
 mod charts;
 mod cli;

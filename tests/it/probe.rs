@@ -8,12 +8,12 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::metrics::pixel_error;
 use shadetrade::probe::{self, Probe, ProbedSurface};
 use shadetrade::reference;
 use shadetrade::report::Monitor;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems;
-use shadetrade::trade::metrics::pixel_error;
 
 use crate::cli::keys;
 use crate::extremes::enlarged;

@@ -2,7 +2,7 @@
 //! runs, and the resulting components or pixels are compared with values from paper.
 //!
 //! ```text
-//! spin -> viewpoint -> normals -> projection -> lighting -> rasterization
+//! spin -> normals -> projection -> lighting -> rasterization
 //! ```
 //! Coverage of polygons is tested in `tests/it/rasterization`.
 
@@ -12,7 +12,6 @@ mod normals;
 mod projection;
 mod rasterization;
 mod spin;
-mod viewpoint;
 
 use fearless_simd::Level;
 use glam::{DVec3, dvec3};
@@ -24,7 +23,7 @@ use shadetrade::frame::{Frame, Keep, Workers};
 
 use crate::support::scene::{at, turned, view};
 
-const PROJECTIONS: [Projection; 2] = Projection::ALL;
+pub const PROJECTIONS: [Projection; 2] = Projection::ALL;
 
 /// kA 0.1, kD 0.5 and kE 1 in every channel, and a shininess of 2.
 const MATERIAL: Material = Material {
@@ -40,7 +39,7 @@ fn empty_frame() -> Frame {
 }
 
 /// From z = 10 towards the origin: 90 degrees or 20 units high, at tolerance 0, on black.
-fn ahead(projection: Projection, size: [usize; 2]) -> View {
+pub fn ahead(projection: Projection, size: [usize; 2]) -> View {
     let mut view = view(size, DVec3::Z * 10.0, DVec3::ZERO, projection);
     let camera = &mut view.camera;
     (camera.fov, camera.height, camera.near) = (90.0, 20.0, Some(1.0));

@@ -7,10 +7,10 @@ use egui_plot::{Line, LineStyle, Plot, VLine};
 use crate::components::range::Shininess;
 use crate::components::{Material, Name, ShadingMode};
 use crate::frame::display_pixel;
+use crate::metrics::displayed;
 use crate::paint::color;
 use crate::probe::ProbedSurface;
 use crate::report::words::CHANNELS;
-use crate::trade::metrics::displayed;
 use crate::window::app::App;
 use crate::window::widgets::{BAD, GOURAUD, PHONG, STALE, slider, still};
 

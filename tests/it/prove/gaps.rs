@@ -5,12 +5,12 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Projection, ShadingMode, Transform, TriangleId, View};
 use shadetrade::frame::{Keep, display_step};
+use shadetrade::metrics::pixel_error;
 use shadetrade::prove::Verdict::{Gap, Refuted};
 use shadetrade::prove::{Proof, Shown, judge, prove, shown};
 use shadetrade::reference::{Interval, Real, Reference, Seen};
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
-use shadetrade::trade::metrics::pixel_error;
 
 use super::{enclosures, proof};
 use crate::support::cases::cases;

@@ -7,7 +7,7 @@ use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{Mesh, ShadingMode, Transform, View, length};
 use shadetrade::frame::Keep;
-use shadetrade::trade::metrics::{Picture, compare};
+use shadetrade::metrics::{Picture, compare};
 
 use super::proof;
 use crate::support::cases::{cases, values};

@@ -9,7 +9,7 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::frame::Keep;
-use shadetrade::trade::metrics::pixel_error;
+use shadetrade::metrics::pixel_error;
 
 use super::proof;
 use crate::support::cases::cases;

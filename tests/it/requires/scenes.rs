@@ -5,9 +5,9 @@
 use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{ShadingMode, View};
+use shadetrade::metrics::pixel_error;
 use shadetrade::reference::{Interval, Real, Reference, Rule, Seen};
 use shadetrade::requires::{Part, parts, without};
-use shadetrade::trade::metrics::pixel_error;
 
 use super::{change, scene_of};
 use crate::support::cases::{cases, values};

@@ -7,14 +7,14 @@ use shadetrade::components::{
     View,
 };
 use shadetrade::frame::Frame;
-use shadetrade::systems::{lighting, viewpoint};
+use shadetrade::systems::{lighting, projection};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, place, read, signs};
 use crate::support::scene::spawn_cuboid;
 
 fn run(world: &mut World, view: &View) -> Frame {
     let mut frame = empty_frame();
-    viewpoint::run(world, view, &mut frame);
+    projection::run(world, view, &mut frame);
     lighting::run(world, view, &mut frame);
     frame
 }

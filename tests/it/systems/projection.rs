@@ -4,7 +4,7 @@ use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
 use shadetrade::components::{Lens, Mesh, Projected, Projection, View};
 use shadetrade::frame::Keep;
-use shadetrade::systems::{projection, viewpoint};
+use shadetrade::systems::projection;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};
 use crate::support::random::Random;
@@ -20,7 +20,6 @@ fn spawn(world: &mut World, position: DVec3, size: DVec3) -> Entity {
 
 fn run(world: &mut World, view: &View) {
     let mut frame = empty_frame();
-    viewpoint::run(world, view, &mut frame);
     projection::run(world, view, &mut frame);
 }
 

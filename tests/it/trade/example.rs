@@ -3,9 +3,9 @@
 use shadetrade::components::Projection;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::frame::Counts;
+use shadetrade::metrics::ErrorStatistics;
 use shadetrade::shading::Method;
 use shadetrade::trade::machine::Machine;
-use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::trade::timing::Timing;
 use shadetrade::trade::{Measurement, Report};
 

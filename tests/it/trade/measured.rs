@@ -11,11 +11,11 @@ use shadetrade::components::{
 };
 use shadetrade::drawing::Drawing;
 use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::metrics::ErrorStatistics;
 use shadetrade::output::json;
 use shadetrade::report::{CANCELLED, Monitor};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::shading::{METHODS, Method};
-use shadetrade::trade::metrics::ErrorStatistics;
 use shadetrade::trade::timing::{MIN_SAMPLES, Timing};
 use shadetrade::trade::verdict::verdict;
 use shadetrade::trade::{

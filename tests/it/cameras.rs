@@ -1,21 +1,13 @@
-//! The view of the viewer, cameras and their orbits, and the lens of a frame.
+//! The view of the viewer, cameras and their orbits, and the lens of a view.
 
 use glam::{DVec3, dvec3};
-use hecs::World;
 use shadetrade::components::{
     Camera, Lens, Orbit, Projection, View, active_camera, names, viewer_mut,
 };
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::systems::viewpoint;
 
-use super::{PROJECTIONS, ahead, empty_frame};
 use crate::support::records;
-
-fn run(view: &View) -> Lens {
-    let mut frame = empty_frame();
-    viewpoint::run(&mut World::new(), view, &mut frame);
-    *frame.lens()
-}
+use crate::systems::{PROJECTIONS, ahead};
 
 /// Six units above its target.
 const RIGHT: DVec3 = dvec3(8.0, 6.0, 0.0);
@@ -41,7 +33,7 @@ fn cameras() -> Scene {
 fn moved(scene: &Scene, orbit: Orbit) -> Lens {
     let camera = scene.world.get::<&mut Orbit>(active_camera(&scene.world));
     *camera.expect("a camera has one") = orbit;
-    run(&View::of(&scene.world, [300, 200]))
+    Lens::new(&View::of(&scene.world, [300, 200]))
 }
 
 fn seen_from(scene: &Scene) -> DVec3 {
@@ -53,7 +45,7 @@ fn a_lens_has_the_axes_of_the_camera_and_the_size_of_a_pixel() {
     // 90 degrees are two units at distance one; 20 units are 20 units.
     for (projection, seen) in PROJECTIONS.into_iter().zip([2.0, 20.0]) {
         for rows in [1, 200, 16384] {
-            let lens = run(&ahead(projection, [300, rows]));
+            let lens = Lens::new(&ahead(projection, [300, rows]));
             assert_eq!(lens.axes, [DVec3::X, DVec3::Y, DVec3::NEG_Z]);
             assert_eq!((lens.eye, lens.near), (DVec3::Z * 10.0, 1.0));
             assert_eq!(lens.middle, [150.0, rows as f64 / 2.0]);
