@@ -29,6 +29,21 @@ pub type Share = Within<{ 0.0_f64.to_bits() }, { 1.0_f64.to_bits() }>;
 /// Milliseconds a frame.
 pub type Milliseconds = Within<{ 0.001_f64.to_bits() }, { 10_000.0_f64.to_bits() }>;
 
+/// The range of the numbers at a key of a scene file, outside of `[view]`.
+pub fn of_key(key: &str) -> RangeInclusive<f64> {
+    match key {
+        "background" => DisplayLevel::RANGE,
+        "size" | "height" | "near" => Length::RANGE,
+        "position" | "target" | "up" => Coordinate::RANGE,
+        "rotation" => Angle::RANGE,
+        "shininess" => Shininess::RANGE,
+        "fov" => FieldOfView::RANGE,
+        "azimuth" | "elevation" => OrbitAngle::RANGE,
+        "zoom" => Zoom::RANGE,
+        _ => Strength::RANGE,
+    }
+}
+
 /// A number from `LEAST` to `MOST`, which are the bits of f64. NaN and infinities are in no range.
 #[derive(Deserialize)]
 #[serde(try_from = "f64")]

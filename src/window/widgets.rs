@@ -94,24 +94,25 @@ pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Respo
     response
 }
 
-/// A slider for a number of any magnitude, between its name and its keys. `least` is the smallest number above 0.
+/// A slider for a number of any magnitude, between its name and its keys. `smallest` is the smallest number above 0.
 pub fn slider(
     ui: &mut Ui,
     [name, keys, says]: [&str; 3],
     value: &mut f64,
     range: RangeInclusive<f64>,
-    least: f64,
+    smallest: f64,
 ) {
+    let (least, most) = range.clone().into_inner();
     ui.horizontal(|ui| {
         ui.label(name).on_hover_text(says);
         // Number and keys beside it stay in sight.
         ui.spacing_mut().slider_width = (ui.available_width() - 95.0).clamp(20.0, 110.0);
         let slider = Slider::new(value, range).logarithmic(true);
-        let slider = slider.smallest_positive(least).custom_parser(typed);
+        let slider = slider.smallest_positive(smallest).custom_parser(typed);
         let response = ui.add(slider.custom_formatter(format_number));
         if response.on_hover_text(says).dragged() {
             // As fine as a hand moves a slider.
-            *value = rounded(*value, 1);
+            *value = rounded(*value, 1).clamp(least, most);
         }
         ui.weak(keys);
     });

@@ -8,6 +8,7 @@ mod lesson;
 mod mouse;
 mod sides;
 mod storms;
+mod ranges;
 mod trade;
 mod widgets;
 

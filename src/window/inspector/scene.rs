@@ -9,7 +9,7 @@ use hecs::Component;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::components::names;
+use crate::components::{names, range};
 use crate::scene::SceneRecord;
 use crate::scene::key::Key;
 use crate::window::app::{App, EntityPlace};
@@ -24,7 +24,7 @@ const CHOICES: [(&str, &[&str]); 2] = [
 ];
 /// In a narrower tab the letters are small, in points.
 const NARROW: f32 = 240.0;
-/// The ranges are checked when the edited record is read.
+/// A typed number is checked when the edited record is read, whose message names the range.
 const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 impl App {
@@ -96,6 +96,8 @@ impl App {
                     self.restore(&record);
                     self.desk.message = None;
                 }
+                // A drag passes numbers that go together with others no longer, such as an `up` along the view.
+                Err(_) if ui.ctx().dragged_id().is_some() => {}
                 Err(error) => self.say(error.to_string()),
             }
         }
@@ -211,15 +213,23 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord) {
                 ui.selectable_value(text, (*choice).to_owned(), *choice);
             }
         }
-        Value::Array(numbers) => numbers.iter_mut().for_each(|it| number_field(ui, it)),
-        value => number_field(ui, value),
+        Value::Array(numbers) => {
+            for number in numbers {
+                number_field(ui, key.last(), number);
+            }
+        }
+        value => number_field(ui, key.last(), value),
     });
     ui.end_row();
 }
 
-fn number_field(ui: &mut Ui, value: &mut Value) {
+fn number_field(ui: &mut Ui, key: &str, value: &mut Value) {
     let mut float = value.as_f64().unwrap_or_default();
-    number(ui, &mut float, ANY);
+    let is_typed = number(ui, &mut float, ANY).lost_focus();
+    if !is_typed {
+        let (least, most) = range::of_key(key).into_inner();
+        float = float.clamp(least, most);
+    }
     *value = json!(float);
 }
 

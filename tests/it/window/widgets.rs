@@ -67,7 +67,7 @@ fn enter(harness: &mut Harness<App>, label: &str, column: usize, text: &str) {
 
 /// The position of a number to the right of the last text with this name.
 #[track_caller]
-fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
+pub fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
     let rows = harness.query_all_by(|node| node.role() == Role::Label);
     let mut row = rows.filter(|node| node.accesskit_node().value().as_deref() == Some(label));
     let row = row.next_back().expect("a text with this name").rect();
@@ -280,7 +280,7 @@ fn a_number_s_tooltip_is_the_comment_of_its_own_key() {
 }
 
 #[test]
-fn numbers_are_typed_within_their_range() {
+pub fn numbers_are_typed_within_their_range() {
     let mut harness = open();
     press(&mut harness, Key::E);
     click(&mut harness, "emerald");

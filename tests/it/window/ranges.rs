@@ -1,0 +1,140 @@
+//! Sliders and drags: whatever the mouse does to a number, the scene stays legal and nothing is refused.
+
+use egui::accesskit::Role;
+use egui::{Key, Pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use fearless_simd::Level;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use shadetrade::components::{Tab, range};
+use shadetrade::scene::SceneRecord;
+use shadetrade::window::app::App;
+
+use super::press;
+use super::widgets::number;
+use crate::support::window::{app, default_scene, widgets};
+
+const SIZE: [usize; 2] = [1400, 1000];
+
+/// The default scene with every optional number.
+fn record() -> SceneRecord {
+    let mut record = SceneRecord::of(&default_scene().world);
+    record.camera.iter_mut().for_each(|it| it.near = Some(0.1));
+    record.view.pixel = Some([300, 400]);
+    record
+}
+
+/// Adds the JSON pointer of every number in a tree.
+fn add_numbers(tree: &Value, path: &str, found: &mut Vec<String>) {
+    match tree {
+        Value::Number(_) => found.push(path.to_owned()),
+        Value::Array(all) => {
+            for (place, it) in all.iter().enumerate() {
+                add_numbers(it, &format!("{path}/{place}"), found);
+            }
+        }
+        Value::Object(table) => {
+            for (key, it) in table {
+                add_numbers(it, &format!("{path}/{key}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn the_range_of_each_key_is_that_of_the_scene_format() {
+    let scene = json!(record());
+    let mut paths = Vec::new();
+    add_numbers(&scene, "", &mut paths);
+    paths.retain(|path| !path.starts_with("/view"));
+    assert!(paths.len() > 60, "{}", paths.len());
+    for path in paths {
+        let mut keys = path.split('/').filter(|key| key.parse::<u8>().is_err());
+        let (least, most) = range::of_key(keys.next_back().expect("a key")).into_inner();
+        for (number, is_within) in [
+            (least, true),
+            (most, true),
+            (least.next_down(), false),
+            (most.next_up(), false),
+        ] {
+            let mut changed = scene.clone();
+            *changed.pointer_mut(&path).expect("a number") = json!(number);
+            // JSON has no infinity, which is written as null and refused, too.
+            let read = SceneRecord::deserialize(&changed);
+            assert_eq!(read.is_ok(), is_within, "{path} = {number}");
+        }
+    }
+}
+
+/// The positions of the numbers and sliders in sight.
+fn handles(harness: &Harness<App>) -> Vec<Pos2> {
+    let all = harness.query_all_by(|node| [Role::SpinButton, Role::Slider].contains(&node.role()));
+    all.map(|node| node.rect().center()).collect()
+}
+
+#[test]
+fn no_slider_and_no_drag_makes_an_illegal_number() {
+    let mut scene = default_scene();
+    scene.world = record().spawn();
+    let mut harness = widgets(app(scene, SIZE, Level::new()), SIZE);
+    press(&mut harness, Key::E);
+    let mut count = 0;
+    for (tab, entity, budget) in [
+        (Tab::Scene, "cuboid", None),
+        (Tab::Scene, "light", None),
+        (Tab::Scene, "camera", None),
+        (Tab::Pixel, "cuboid", Some(1.0)),
+    ] {
+        let reset = |harness: &mut Harness<App>| {
+            let mut record = record();
+            (record.view.budget, record.view.inspector) = (budget, Some(tab));
+            let app = harness.state_mut();
+            app.restore(&record);
+            app.desk.selected = Some((entity, 0));
+            app.desk.message = None;
+            harness.run_ok();
+        };
+        reset(&mut harness);
+        for index in 0..handles(&harness).len() {
+            for way in [1.0, -1.0] {
+                reset(&mut harness);
+                let from = handles(&harness)[index];
+                harness.hover_at(from);
+                harness.drag_at(from);
+                harness.run_ok();
+                // There in two steps, and a little back.
+                for right in [200.0, 9000.0, 8900.0] {
+                    harness.hover_at(from + vec2(right, 0.0) * way);
+                    harness.run_ok();
+                    let app = harness.state();
+                    let now = SceneRecord::of(&app.scene.world);
+                    now.check().expect("names and numbers go together");
+                    SceneRecord::deserialize(&json!(now)).expect("each number is within its range");
+                    assert_eq!(app.desk.message, None, "{entity}, number {index}");
+                }
+                harness.drop_at(from);
+                harness.run_ok();
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 100, "{count}");
+}
+
+#[test]
+fn a_drag_beyond_the_end_of_a_range_reaches_the_end() {
+    let mut harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
+    press(&mut harness, Key::E);
+    harness.state_mut().desk.selected = Some(("light", 0));
+    harness.run_ok();
+    let from = number(&harness, "intensity", 0);
+    harness.hover_at(from);
+    harness.drag_at(from);
+    harness.run_ok();
+    harness.hover_at(from - vec2(9000.0, 0.0));
+    harness.run_ok();
+    let now = SceneRecord::of(&harness.state().scene.world);
+    assert_eq!(now.light[0].intensity, 0.0);
+}
