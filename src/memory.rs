@@ -1,4 +1,4 @@
-//! A check of the free memory before a large allocation.
+//! A check of the free memory before a large allocation, and the rule by which buffers are given back.
 //!
 //! On Linux an allocation beyond the free memory succeeds, and the kernel kills the program that writes to it
 //! (overcommit). Other systems lack `/proc/meminfo`; they refuse an allocation without memory for it, or swap.
@@ -55,6 +55,17 @@ pub fn reserve_pixels<T>(size: [usize; 2]) -> Result<Vec<T>, OutOfMemory> {
     Ok(list)
 }
 
+/// A buffer with room for more than this many times its content is given back.
+const SEVERAL: usize = 4;
+
+/// Empties a buffer that will hold `len` elements next. It keeps its memory unless that is several times too large.
+pub fn clear<T>(list: &mut Vec<T>, len: usize) {
+    list.clear();
+    if list.capacity() / SEVERAL > len {
+        *list = Vec::new();
+    }
+}
+
 /// Converts a refused allocation for a picture of `size` pixels, `needed` bytes in all, into [`OutOfMemory`].
 pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> OutOfMemory {
     let left = None;
@@ -98,6 +109,15 @@ mod tests {
         for table in ["MemFree: 1 kB\n", "MemAvailable: many kB\n"] {
             assert_eq!(mem_available(table), None);
         }
+    }
+
+    #[test]
+    fn a_buffer_is_given_back_if_it_is_several_times_too_large() {
+        let mut list = vec![0; 400];
+        clear(&mut list, 100);
+        assert_eq!((list.len(), list.capacity()), (0, 400));
+        clear(&mut list, 99);
+        assert_eq!(list.capacity(), 0);
     }
 
     #[test]

@@ -6,11 +6,12 @@
 use std::borrow::Cow;
 use std::time::Instant;
 
+use fearless_simd::Level;
 use hecs::World;
 
 use crate::components::{ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
 use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
-use crate::memory::OutOfMemory;
+use crate::memory::{self, OutOfMemory};
 use crate::shading::SquareKind;
 use crate::systems;
 
@@ -45,13 +46,13 @@ impl Pictures {
         let level = workers.level();
         Pictures {
             frame: Frame::new(Keep::Display, workers),
-            levels: Frame::new(Keep::Levels, Workers::alone(level)),
-            sides: [Vec::new(), Vec::new()],
+            levels: levels(level),
+            sides: Default::default(),
             time: None,
         }
     }
 
-    /// Draws all pictures that `viewer` shows.
+    /// Draws all pictures that `viewer` shows. Others are given back.
     ///
     /// # Errors
     /// If they do not fit in memory.
@@ -62,15 +63,21 @@ impl Pictures {
         view: &View,
     ) -> Result<(), OutOfMemory> {
         self.time = None;
+        if viewer.show != ViewMode::Tiles {
+            self.levels = levels(self.frame.workers().level());
+        }
         if viewer.show == ViewMode::Wipe && viewer.sides != [Side::Reference; 2] {
             for (side, pixels) in viewer.sides.iter().zip(&mut self.sides) {
-                if let Some(view) = side_view(side, view) {
+                let view = side_view(side, view);
+                memory::clear(pixels, view.map_or(0, |it| it.size[0] * it.size[1]));
+                if let Some(view) = view {
                     systems::draw(world, &view, &mut self.frame)?;
-                    self.frame.pixels().clone_into(pixels);
+                    pixels.extend_from_slice(self.frame.pixels());
                 }
             }
             return Ok(());
         }
+        self.sides = Default::default();
         let start = Instant::now();
         systems::draw(world, view, &mut self.frame)?;
         self.time = Some(start.elapsed().as_secs_f64() * 1e3);
@@ -86,6 +93,11 @@ impl Pictures {
         tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
         pixels
     }
+}
+
+/// An empty frame for the squares of the picture.
+fn levels(level: Level) -> Frame {
+    Frame::new(Keep::Levels, Workers::alone(level))
 }
 
 /// The pictures left and right of the divider; where there is none, both are the picture.

@@ -8,7 +8,7 @@ use super::edits::is_another_scene;
 use super::facts::Question;
 use super::pictures::{divider_column, or_dimmed};
 use crate::components::{Side, View, ViewMode, Viewer};
-use crate::memory::OutOfMemory;
+use crate::memory::{self, OutOfMemory};
 use crate::output::{encode_png, write_numbered};
 use crate::scene::SceneRecord;
 
@@ -133,7 +133,7 @@ impl App {
         let ground = self.painter.context.global_style().visuals.panel_fill;
         let [red, green, blue, _] = ground.to_array();
         let ground = u32::from_be_bytes([0, red, green, blue]);
-        pixels.clear();
+        memory::clear(&mut pixels, width * height);
         pixels.resize(width * height, ground);
         let columns = self.pictures.frame.size()[0];
         let corner = self.place.min * self.scale();

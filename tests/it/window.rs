@@ -6,6 +6,7 @@ mod history;
 mod keys;
 mod lesson;
 mod mouse;
+mod memory;
 mod sides;
 mod storms;
 mod ranges;
