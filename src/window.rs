@@ -12,6 +12,7 @@ mod actions;
 pub mod app;
 mod budget;
 mod chart;
+pub mod clipboard;
 pub mod comparison;
 pub mod display;
 mod edits;
@@ -29,6 +30,7 @@ pub mod pictures;
 mod questions;
 mod screen;
 mod tags;
+mod taps;
 pub mod viewport;
 pub mod widgets;
 
@@ -39,7 +41,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Context;
-use egui::RawInput;
+use egui::{Event, RawInput};
 #[cfg(unix)]
 use signal_hook::{
     consts::{SIGHUP, SIGINT, SIGTERM},
@@ -87,6 +89,17 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
             due = Duration::ZERO;
         }
         let now = start.elapsed();
+        if std::mem::take(&mut display.input.pastes) {
+            display.clipboard.read(now);
+        }
+        match display.clipboard.receive(now) {
+            Some(Ok(text)) => display.input.events.push(Event::Paste(text)),
+            Some(Err(error)) => {
+                app.say(format!("not pasted: {error:#}"));
+                due = now;
+            }
+            None => {}
+        }
         let has_events = !display.input.events.is_empty();
         if has_events {
             last_event = now;
@@ -106,7 +119,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
                 display.window.set_title(&title);
             }
             if let Some(text) = output.copied
-                && let Err(error) = display.copy(text)
+                && let Err(error) = display.clipboard.copy(text)
             {
                 app.say(format!("not copied: {error:#}"));
             }

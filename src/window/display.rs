@@ -1,18 +1,19 @@
 //! Opens a window with minifb 0.29, gathers its events and shows pixels. Works around the faults of minifb.
 //!
-//! Keys come through a callback, because polling loses taps. Buttons can only be polled, so a click between two polls is
-//! lost: poll often while the mouse is in use. A window that another program destroys ends this one inside Xlib.
+//! Keys come through a callback, because polling loses taps. The button can only be polled, and [`Taps`] finds the clicks
+//! between two polls. A window that another program destroys ends this one inside Xlib.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
 use anyhow::{Context, anyhow};
-use arboard::Clipboard;
 use egui::{Event, PointerButton, Pos2};
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
+use super::clipboard::Clipboard;
 use super::input::{Input, KeyReport};
+use super::taps::{self, Taps};
 
 /// One notch of the wheel, as each window system reports it.
 const X11_NOTCH: f32 = 2.0;
@@ -31,12 +32,14 @@ pub struct Display {
     reports: Rc<RefCell<Vec<KeyReport>>>,
     /// Events that were not taken yet, in pixels of the window.
     pub input: Input,
-    clipboard: Option<Clipboard>,
+    pub clipboard: Clipboard,
     is_wayland: bool,
     is_active: bool,
     mouse: Option<Pos2>,
     /// Whether the left button is down; no other one is used.
     is_pressed: bool,
+    /// `None` where clicks between two polls are not known, as on Wayland.
+    taps: Option<Taps>,
     /// Turns of the wheel that make no whole notch yet.
     wheel: f32,
 }
@@ -72,17 +75,21 @@ impl Display {
         let mut window = minifb::Window::new(title, width, height, options).map_err(not_opened)?;
         let reports = Rc::new(RefCell::new(Vec::new()));
         window.set_input_callback(Box::new(Reporter(Rc::clone(&reports))));
-        let handle = window.window_handle();
-        let is_wayland = handle.is_ok_and(|it| matches!(it.as_raw(), RawWindowHandle::Wayland(_)));
+        let handle = window.window_handle().map(|it| it.as_raw());
+        let taps = match handle {
+            Ok(RawWindowHandle::Xlib(handle)) => u32::try_from(handle.window).ok(),
+            _ => None,
+        };
         Ok(Display {
             window,
             reports,
             input: Input::default(),
-            clipboard: None,
-            is_wayland,
+            clipboard: Clipboard::default(),
+            is_wayland: matches!(handle, Ok(RawWindowHandle::Wayland(_))),
             is_active: false,
             mouse: None,
             is_pressed: false,
+            taps: taps.and_then(Taps::over),
             wheel: 0.0,
         })
     }
@@ -93,19 +100,12 @@ impl Display {
         [width.max(1), height.max(1)]
     }
 
-    /// Puts a text on the system's clipboard.
-    ///
-    /// # Errors
-    /// If there is none.
-    pub fn copy(&mut self, text: String) -> anyhow::Result<()> {
-        Ok(opened(&mut self.clipboard)?.set_text(text)?)
-    }
-
     /// Shows pixels, `0x00RRGGBB`, row by row from the top, and gathers events.
     ///
     /// # Errors
     /// If the window system refuses them.
     pub fn present(&mut self, pixels: &[u32], [width, height]: [usize; 2]) -> anyhow::Result<()> {
+        self.taps.iter_mut().for_each(Taps::read);
         let result = self.window.update_with_buffer(pixels, width, height);
         self.gather();
         result.context("cannot show the picture")
@@ -113,6 +113,7 @@ impl Display {
 
     /// Gathers events without showing anything.
     pub fn poll(&mut self) {
+        self.taps.iter_mut().for_each(Taps::read);
         self.window.update();
         self.gather();
     }
@@ -138,15 +139,17 @@ impl Display {
             self.gather_wheel();
         }
         self.gather_mouse(is_pressed);
-        if has_changed {
+        let was_pressed = std::mem::replace(&mut self.is_pressed, is_pressed);
+        let taps = self.taps.as_mut();
+        let missed = taps.map_or(0, |taps| taps.missed(has_changed && is_pressed));
+        for pressed in taps::changes(was_pressed, missed, is_pressed) {
             self.input.events.push(Event::PointerButton {
                 pos: self.mouse.unwrap_or_default(),
                 button: PointerButton::Primary,
-                pressed: is_pressed,
+                pressed,
                 modifiers: self.input.modifiers,
             });
         }
-        self.is_pressed = is_pressed;
     }
 
     fn gather_reports(&mut self) {
@@ -155,9 +158,7 @@ impl Display {
             key_first(&mut reports);
         }
         for report in reports {
-            let clipboard = &mut self.clipboard;
-            let text = || opened(clipboard).ok()?.get_text().ok();
-            self.input.report(report, text);
+            self.input.report(report);
         }
     }
 
@@ -186,14 +187,6 @@ impl Display {
             self.wheel -= notches;
             self.input.wheel(notches as i32);
         }
-    }
-}
-
-/// The clipboard. It is opened when it is used first, because closing it takes a second.
-fn opened(clipboard: &mut Option<Clipboard>) -> Result<&mut Clipboard, arboard::Error> {
-    match clipboard {
-        Some(clipboard) => Ok(clipboard),
-        None => Ok(clipboard.insert(Clipboard::new()?)),
     }
 }
 

@@ -26,11 +26,13 @@ pub struct Input {
     pressed: Option<Key>,
     /// The last character that no key named, until a key goes up.
     unnamed: Option<char>,
+    /// Whether `Ctrl V` was pressed: the clipboard is to be read.
+    pub pastes: bool,
 }
 
 impl Input {
-    /// Turns a report into events; `clipboard` is read for `Ctrl V`.
-    pub fn report(&mut self, report: KeyReport, clipboard: impl FnOnce() -> Option<String>) {
+    /// Turns a report into events.
+    pub fn report(&mut self, report: KeyReport) {
         match report {
             KeyReport::Down(key) => {
                 let repeat = self.held.contains(&key);
@@ -42,9 +44,9 @@ impl Input {
                 let edit = match self.pressed.filter(|_| self.modifiers.command) {
                     Some(Key::C) => Some(Event::Copy),
                     Some(Key::X) => Some(Event::Cut),
-                    Some(Key::V) => clipboard().map(Event::Paste),
                     _ => None,
                 };
+                self.pastes |= self.modifiers.command && self.pressed == Some(Key::V);
                 let press = self.pressed.map(|key| self.key(key, true, repeat));
                 self.events.extend(edit.or(press));
             }
@@ -90,7 +92,7 @@ impl Input {
     /// The window lost or got the keyboard. Releases are not reported to a window without it.
     pub fn focus(&mut self, has_focus: bool) {
         for key in std::mem::take(&mut self.held) {
-            self.report(KeyReport::Up(key), || None);
+            self.report(KeyReport::Up(key));
         }
         self.events.push(Event::WindowFocused(has_focus));
     }
@@ -150,7 +152,7 @@ mod tests {
     fn keys(reports: &[KeyReport]) -> Vec<(Key, bool)> {
         let mut input = Input::default();
         for report in reports {
-            input.report(*report, || None);
+            input.report(*report);
         }
         let pressed = input.events.into_iter().filter_map(|event| match event {
             Event::Key {

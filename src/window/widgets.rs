@@ -41,6 +41,7 @@ pub fn apply_style(context: &Context) {
     context.all_styles_mut(|style| {
         // An animation would draw frames while nothing changes.
         style.animation_time = 0.0;
+        style.visuals.text_cursor.blink = false;
         for (name, font) in &mut style.text_styles {
             font.size = match name {
                 TextStyle::Small => 11.0,

@@ -1,5 +1,6 @@
 //! The window without a display: events go into `App::step`; components, files, messages and pixels are checked.
 
+mod clicks;
 mod facts;
 mod files;
 mod history;

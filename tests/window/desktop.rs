@@ -85,6 +85,7 @@ impl Program {
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("XMODIFIERS")
             .env("DISPLAY", &display.name)
+            .env("XDG_STATE_HOME", folder.path())
             .envs(environment.iter().copied())
             .spawn()
             .expect("the program starts");
@@ -131,12 +132,10 @@ impl Program {
         self.xdotool(&["mousemove", "--window", &self.window, &x, &y]);
     }
 
+    /// Presses and releases the button at once.
     pub fn click(&self, place: Point) {
         self.point_at(place);
-        self.xdotool(&["mousedown", "1"]);
-        // As long as a finger, and longer than a slow frame of a busy machine.
-        sleep(Duration::from_millis(100));
-        self.xdotool(&["mouseup", "1"]);
+        self.xdotool(&["click", "1"]);
     }
 
     /// Drags in small steps, like a hand.

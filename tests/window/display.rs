@@ -112,6 +112,35 @@ fn clicks_drags_and_the_wheel_have_their_effects() {
     program.quit();
 }
 
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
+fn no_click_is_too_short() {
+    let program = Program::open(&[], &[]);
+    let start = picture(&program.picture());
+    let seen = || picture(&program.picture());
+    // An odd number, so that a lost one shows. Two clicks are no double click here.
+    let light = place("red").map(|at| at.to_string());
+    program.xdotool(&[
+        "mousemove",
+        "--window",
+        &program.window,
+        &light[0],
+        &light[1],
+    ]);
+    program.xdotool(&["click", "--repeat", "41", "--delay", "12", "1"]);
+    until("the light is off", || seen() != start);
+    program.click(place("red"));
+    until("the light is on", || seen() == start);
+    for _ in 0..3 {
+        program.click(CUBOID);
+        until("a probe", || seen() != start);
+        program.press("Escape");
+        program.press("Escape");
+        until("no probe", || seen() == start);
+    }
+    program.quit();
+}
+
 /// The column of the divider in the window.
 fn place_of_divider() -> i32 {
     let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);

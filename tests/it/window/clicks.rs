@@ -1,0 +1,118 @@
+//! Clicks whose press and release come in one step, as those of a touchpad or in a slow frame.
+
+use egui::accesskit::Role;
+use egui::{Event, Key, PointerButton, Pos2, vec2};
+use egui_kittest::Node;
+use egui_kittest::kittest::{By, Queryable};
+use shadetrade::scene::{Scene, SceneRecord};
+
+use super::{PAUSE, SIZE, Window};
+use crate::support::window::{default_scene, widgets};
+
+/// The roles of widgets that are clicked.
+const CLICKED: [Role; 8] = [
+    Role::Button,
+    Role::CheckBox,
+    Role::ColorWell,
+    Role::ComboBox,
+    Role::RadioButton,
+    Role::Slider,
+    Role::SpinButton,
+    Role::TextInput,
+];
+
+/// Presses and releases the button in one step. The mouse arrives in it, too.
+fn tap(window: &mut Window, at: Pos2) {
+    let button = |pressed| Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: window.modifiers,
+    };
+    window.step(vec![Event::PointerMoved(at), button(true), button(false)]);
+}
+
+/// The default scene, so small that it is drawn and proven at once.
+fn far_scene() -> Scene {
+    let mut record = SceneRecord::of(&default_scene().world);
+    record.camera.iter_mut().for_each(|it| it.orbit.zoom = 20.0);
+    Scene::spawn("cuboid".to_owned(), &record)
+}
+
+/// Shows the scene anew and clicks. Returns the scene, its pixels, and the files that were written.
+fn after(
+    window: &mut Window,
+    keys: &[Key],
+    at: Pos2,
+    click: fn(&mut Window, Pos2),
+) -> (SceneRecord, Vec<u32>, Vec<String>) {
+    // Leaves fields and lists.
+    window.press(Key::Escape);
+    window.press(Key::Escape);
+    window.reopen(far_scene());
+    for key in keys {
+        window.press(*key);
+    }
+    click(window, at);
+    // Away from it, so that no tooltip is left.
+    window.point_at(Pos2::new(1.0, 1.0));
+    window.wait(PAUSE);
+    let (mut pixels, files) = (window.app.pixels.clone(), window.files());
+    if !files.is_empty() {
+        // They name the folder, which is random.
+        pixels.clear();
+    }
+    (window.record(), pixels, files)
+}
+
+#[test]
+fn a_click_within_one_step_does_what_a_slow_one_does() {
+    // What egui remembers, such as folded rows, changes in both.
+    let [mut slow, mut quick] = [(); 2].map(|()| Window::of(far_scene(), SIZE));
+    for keys in [&[Key::E][..], &[Key::F3]] {
+        let mut shown = Window::of(far_scene(), SIZE);
+        for key in keys {
+            shown.press(*key);
+        }
+        shown.wait(PAUSE);
+        let harness = widgets(shown.app, SIZE);
+        let clicked = harness.query_all_by(|node| CLICKED.contains(&node.role()));
+        // The handle of a slider is in its middle.
+        let inside = |node: Node| node.rect().lerp_inside([0.2, 0.5]);
+        let mut places: Vec<Pos2> = clicked.map(inside).collect();
+        let picture = harness.state().place;
+        // The cuboid, and the divider of a wipe.
+        places.extend([picture.center(), picture.center() + vec2(0.0, 60.0)]);
+        places.retain(|at| at.y < SIZE[1] as f32);
+        for at in places {
+            let slow = after(&mut slow, keys, at, Window::click);
+            let quick = after(&mut quick, keys, at, tap);
+            assert_eq!((slow.0, slow.2), (quick.0, quick.2), "{keys:?} {at}");
+            // Some pixels of a letter can depend on the letters that were drawn before.
+            let pixels = slow.1.iter().zip(&quick.1);
+            let differ = pixels.filter(|(slow, quick)| slow != quick).count();
+            assert!(differ < 50, "{keys:?} {at}: {differ} pixels");
+        }
+    }
+}
+
+#[test]
+fn a_choice_of_a_list_is_clicked_within_a_step() {
+    let mut harness = widgets(Window::open().app, SIZE);
+    let list = By::new().role(Role::ComboBox).value("cuboid");
+    let list = harness.get(list).rect().center();
+    harness.hover_at(list);
+    harness.drag_at(list);
+    harness.drop_at(list);
+    harness.run_ok();
+    let choice = harness.get_by_label("bench-far").rect().center();
+    let mut window = Window::open();
+    for click in [Window::click, tap] {
+        window.reopen(default_scene());
+        for at in [list, choice] {
+            click(&mut window, at);
+        }
+        window.wait(PAUSE);
+        assert_eq!(window.app.scene.name, "bench-far");
+    }
+}
