@@ -31,10 +31,10 @@ mod questions;
 mod screen;
 mod tags;
 mod taps;
+pub mod unsaved;
 pub mod viewport;
 pub mod widgets;
 
-use std::fs;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -42,11 +42,6 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context;
 use egui::{Event, RawInput};
-#[cfg(unix)]
-use signal_hook::{
-    consts::{SIGHUP, SIGINT, SIGTERM},
-    flag,
-};
 
 use crate::drawing::Drawing;
 use app::App;
@@ -74,12 +69,14 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
     let start = Instant::now();
+    app.keep_edits(unsaved::user_folders());
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
     let ends = Arc::new(AtomicBool::new(false));
-    #[cfg(unix)]
-    end_on_signals(&ends)?;
+    let end = Arc::clone(&ends);
+    ctrlc::set_handler(move || end.store(true, Ordering::Relaxed))
+        .context("cannot wait for signals to end")?;
     loop {
         let must_end = !display.window.is_open() || ends.load(Ordering::Relaxed);
         if app.quits || must_end {
@@ -139,18 +136,4 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
             thread::sleep(pause.min(due.saturating_sub(now)));
         }
     }
-}
-
-/// Sets `ends` when the system asks the program to end. Signals that its parent ignores, as `nohup` does, stay ignored.
-#[cfg(unix)]
-fn end_on_signals(ends: &Arc<AtomicBool>) -> anyhow::Result<()> {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let ignored = ignored.and_then(|bits| u64::from_str_radix(bits.trim(), 16).ok());
-    for signal in [SIGHUP, SIGINT, SIGTERM] {
-        if ignored.unwrap_or(0) >> (signal - 1) & 1 == 0 {
-            flag::register(signal, Arc::clone(ends)).context("cannot wait for signals")?;
-        }
-    }
-    Ok(())
 }

@@ -21,6 +21,7 @@ use super::facts::{Facts, Question, Work, pool};
 use super::file::{INTERVAL, SceneFile};
 use super::history::{State, history};
 use super::pictures::Pictures;
+use super::unsaved::Unsaved;
 use crate::components::{View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
@@ -44,6 +45,8 @@ pub struct App {
     pub pictures: Pictures,
     pub history: Undoer<State>,
     pub file: SceneFile,
+    /// `None` where edits are not kept.
+    pub unsaved: Option<Unsaved>,
     /// The World as it was last written down.
     pub state: Arc<SceneRecord>,
     /// The place of the picture, in points.
@@ -127,6 +130,7 @@ impl App {
         Ok(App {
             history: history(&state),
             file: SceneFile::of(&scene),
+            unsaved: None,
             scene,
             state,
             facts: Facts::default(),
@@ -239,6 +243,7 @@ impl App {
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.note_changes();
         self.keep_state(ends);
+        self.tend_edits();
         self.outdate();
         self.hold_time();
         // A budget may be held by another method now.
@@ -256,6 +261,7 @@ impl App {
         };
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
         let turns = self.viewer().turns;
+        let unsaved = self.unsaved.as_ref().and_then(|it| it.due);
         let waits = [
             viewport.map(|it| it.repaint_delay),
             self.moved.map(|_| REST),
@@ -263,6 +269,7 @@ impl App {
             self.desk.blinks.map(|_| TURN / 10),
             turns.then(|| self.next_degree.saturating_sub(now)),
             self.scene.path.as_ref().map(|_| INTERVAL),
+            unsaved.map(|due| due.saturating_sub(now)),
         ];
         let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
@@ -302,7 +309,7 @@ impl App {
     }
 
     /// Tells the history the present state. A step of undo ends with it if a gesture begins or ends.
-    fn keep_state(&mut self, ends_step: bool) {
+    pub(super) fn keep_state(&mut self, ends_step: bool) {
         let state = State(Arc::clone(&self.state));
         self.history.feed_state(self.now.as_secs_f64(), &state);
         if ends_step {

@@ -1,9 +1,8 @@
 //! Edits of the scene and its file: which of them are not saved, saving, and reading the file again; and which of them change
 //! more than the method.
 
+use std::path::Path;
 use std::sync::Arc;
-
-use anyhow::Context;
 
 use super::app::App;
 use super::facts::Facts;
@@ -13,17 +12,9 @@ use crate::output::{self, quoted};
 use crate::scene::{CameraRecord, Scene, SceneRecord};
 
 impl App {
-    /// Whether the scene was edited since it was saved. Switching lights and modes and moving the camera is looking.
+    /// Whether the scene was edited since it was saved.
     pub fn is_edited(&self) -> bool {
-        let (state, saved) = (&self.state, &self.file.saved);
-        state.background != saved.background
-            || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
-            || differ(&state.cuboid, &saved.cuboid, |it, saved| {
-                it.shading = saved.shading;
-            })
-            || differ(&state.camera, &saved.camera, |it, saved| {
-                it.orbit = saved.orbit;
-            })
+        has_edits(&self.state, &self.file.saved)
     }
 
     /// The title of the window.
@@ -32,30 +23,16 @@ impl App {
         format!("{}{star} - shadetrade", self.scene.name)
     }
 
-    /// Writes unsaved edits into a new file; returns a sentence with its path.
+    /// Writes unsaved edits before the window closes, and tells their file. If that fails, the window stays unless it `must`
+    /// close.
     ///
     /// # Errors
-    /// If it cannot be written.
-    pub fn rescue(&self) -> anyhow::Result<Option<String>> {
-        if !self.is_edited() {
-            return Ok(None);
-        }
-        let path = self.file.rescue(&self.scene, &self.folder);
-        let path = path.context("the changes that were not saved cannot be written to a file")?;
-        let told = format!("the changes that were not saved are in {}", path.display());
-        Ok(Some(told))
-    }
-
-    /// Writes unsaved edits into a new file before the window closes, and tells its path. If that fails, the window stays
-    /// unless it `must` close.
-    ///
-    /// # Errors
-    /// If it must close and the file cannot be written.
+    /// If it must close and the edits cannot be written.
     pub fn may_close(&mut self, must: bool) -> anyhow::Result<bool> {
-        match self.rescue() {
-            Ok(told) => {
-                if let Some(told) = told {
-                    output::say(&told);
+        match self.write_edits() {
+            Ok(path) => {
+                if let Some(path) = path {
+                    output::say(&told(&path));
                 }
                 Ok(true)
             }
@@ -68,12 +45,12 @@ impl App {
         }
     }
 
-    /// Shows the scene that the user chose; edits of the one before go into a file.
+    /// Shows the scene that the user chose; edits of the one before stay in their file.
     pub fn choose(&mut self, scene: Scene) {
-        match self.rescue() {
-            Ok(told) => {
-                if let Some(told) = told {
-                    self.say(told);
+        match self.write_edits() {
+            Ok(path) => {
+                if let Some(path) = path {
+                    self.say(told(&path));
                 }
                 self.open(scene);
             }
@@ -91,12 +68,14 @@ impl App {
         (self.desk.selected, self.desk.step) = (None, 0);
         self.desk.file_error = None;
         self.work = None;
+        self.follow_scene();
     }
 
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
     pub(super) fn reload(&mut self, scene: Scene) {
         let mut record = SceneRecord::of(&scene.world);
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
+        let offered = self.offer_edits();
         let find = |cameras: &[CameraRecord], name: &str| {
             let own = cameras.iter().find(|it| it.name == name);
             own.map(|it| it.orbit)
@@ -119,10 +98,10 @@ impl App {
         self.scene.text = scene.text;
         self.restore(&record);
         self.desk.file_error = None;
-        self.say(if had_edits {
-            "read the file again; Ctrl Z brings your edits back"
-        } else {
-            "read the file again"
+        self.say(match offered {
+            Err(error) => format!("read the file again; {error:#}"),
+            Ok(()) if had_edits => "read the file again; Ctrl Z brings your edits back".to_owned(),
+            Ok(()) => "read the file again".to_owned(),
         });
     }
 
@@ -132,10 +111,31 @@ impl App {
             Ok(()) => {
                 self.say(format!("saved {}", quoted(&self.scene.name)));
                 self.desk.file_error = None;
+                self.forget_edits();
+                self.follow_scene();
             }
             Err(error) => self.say(format!("not saved: {error:#}")),
         }
     }
+}
+
+fn told(path: &Path) -> String {
+    let path = path.display();
+    format!(
+        "the changes that were not saved are in {path} and offered when the scene is opened again"
+    )
+}
+
+/// Whether a state has edits that another one lacks. Switching lights and modes and moving the camera is looking.
+pub fn has_edits(state: &SceneRecord, saved: &SceneRecord) -> bool {
+    state.background != saved.background
+        || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
+        || differ(&state.cuboid, &saved.cuboid, |it, saved| {
+            it.shading = saved.shading;
+        })
+        || differ(&state.camera, &saved.camera, |it, saved| {
+            it.orbit = saved.orbit;
+        })
 }
 
 /// Whether two states have other lights, or other cuboids whatever their mode.

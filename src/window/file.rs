@@ -1,7 +1,7 @@
 //! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
@@ -95,7 +95,8 @@ impl SceneFile {
                 let name = name.trim();
                 let name = name.strip_suffix(".toml").unwrap_or(name);
                 ensure!(!name.is_empty(), "a new file needs a name");
-                write_new(folder, name, &text)?
+                let name = |number| numbered(name, number);
+                write_numbered(folder, name, text.as_bytes())?
             }
         };
         self.seen = stamp(&path);
@@ -105,32 +106,20 @@ impl SceneFile {
         (scene.path, scene.text) = (Some(path), text);
         Ok(())
     }
-
-    /// Writes edits that were never saved into a new file in `folder`.
-    ///
-    /// # Errors
-    /// If it cannot be written.
-    pub fn rescue(&self, scene: &Scene, folder: &Path) -> anyhow::Result<PathBuf> {
-        let text = scene::updated(&scene.text, &SceneRecord::of(&scene.world));
-        let name = Path::new(&scene.name);
-        let stem = stem(scene.path.as_deref().unwrap_or(name));
-        write_new(folder, &format!("{stem}-unsaved"), &text)
-    }
 }
 
 /// The name of a file without its ending, for the names of others.
-fn stem(path: &Path) -> String {
+pub(super) fn stem(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     stem.replace(char::is_control, "_")
 }
 
-/// Writes `NAME.toml`, or `NAME-2.toml` and so on where that exists.
-fn write_new(folder: &Path, stem: &str, text: &str) -> anyhow::Result<PathBuf> {
-    let name = |number| match number {
+/// `NAME.toml`, or `NAME-2.toml` and so on.
+pub(super) fn numbered(stem: &str, number: u32) -> String {
+    match number {
         1 => format!("{stem}.toml"),
         _ => format!("{stem}-{number}.toml"),
-    };
-    write_numbered(folder, name, text.as_bytes())
+    }
 }
 
 fn stamp(path: &Path) -> Stamp {

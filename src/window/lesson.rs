@@ -28,6 +28,9 @@ impl App {
         let Some((place, step)) = place.and_then(|place| Some((place, lesson.get(place)?))) else {
             return self.say("the lesson has no such step");
         };
+        if let Err(error) = self.offer_edits() {
+            return self.say(format!("the lesson waits: {error:#}"));
+        }
         self.restore(&step.record);
         // A step is no edit.
         self.file.saved = Arc::clone(&step.record);

@@ -76,6 +76,7 @@ impl App {
                 ground.show(ui, |ui| self.legend(ui));
             });
         }
+        self.edits_bar(ui);
         // Over the picture, whose size would otherwise change twice.
         if let Some(error) = &self.desk.file_error {
             let text = RichText::new(error).monospace().color(BAD);

@@ -6,12 +6,13 @@ mod files;
 mod history;
 mod keys;
 mod lesson;
-mod mouse;
 mod memory;
+mod mouse;
+mod ranges;
 mod sides;
 mod storms;
-mod ranges;
 mod trade;
+mod unsaved;
 mod widgets;
 
 use std::time::Duration;

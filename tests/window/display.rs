@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use fearless_simd::Level;
 use image::RgbImage;
+use shadetrade::components::Tab;
 
 use super::desktop::{Point, Program, until};
 use super::signal;
@@ -171,25 +172,30 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         let mut program = Program::open(&[], &[]);
         let folder = program.folder.path().to_path_buf();
         program.start_window_manager();
-        let start = picture(&program.picture());
-        program.press("e");
-        until("the editor", || picture(&program.picture()) != start);
-        // A new cuboid is an edit.
-        let harness = {
-            let mut app = app(default_scene(), SIZE, Level::new());
-            app.viewer_mut().inspector = Some(shadetrade::components::Tab::Scene);
-            widgets(app, SIZE)
-        };
-        let copy = *places(&harness, "copy").last().expect("a button");
-        program.click([copy.x as i32, copy.y as i32]);
-        until("a star", || program.title().contains('*'));
+        edit(&program);
         match way {
             "signal" => assert!(signal::send("TERM", &program.child)),
             key => program.press(key),
         }
         assert!(program.ended().success(), "{way}");
-        assert!(folder.join("cuboid-unsaved.toml").exists(), "{way}");
+        assert!(folder.join(UNSAVED).exists(), "{way}");
     }
+}
+
+/// The file of unsaved edits.
+pub(super) const UNSAVED: &str = "shadetrade/built-in/cuboid-unsaved.toml";
+
+/// Makes an edit: a copy of the cuboid.
+pub(super) fn edit(program: &Program) {
+    let start = picture(&program.picture());
+    program.press("e");
+    until("the editor", || picture(&program.picture()) != start);
+    let mut app = app(default_scene(), SIZE, Level::new());
+    app.viewer_mut().inspector = Some(Tab::Scene);
+    let harness = widgets(app, SIZE);
+    let copy = *places(&harness, "copy").last().expect("a button");
+    program.click([copy.x as i32, copy.y as i32]);
+    until("a star", || program.title().contains('*'));
 }
 
 #[test]

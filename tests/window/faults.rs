@@ -6,8 +6,11 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
+use shadetrade::components::{Mesh, names};
+use shadetrade::scene::Scene;
+
 use super::desktop::{Program, until};
-use super::display::picture;
+use super::display::{UNSAVED, edit, picture};
 use super::signal;
 
 /// Asserts that every screenshot in `folder` is complete and every other file hidden; returns the number of
@@ -31,32 +34,50 @@ fn whole_screenshots(folder: &Path) -> usize {
     whole.len()
 }
 
+type End = fn(&mut Program);
+
+/// Names, ends and exit codes. The connection is closed, the window alone is destroyed, or the server dies: Xlib ends the
+/// program.
+const ENDS: [(&str, End, Option<i32>); 6] = [
+    (
+        "connection",
+        |it| drop(it.xdotool(&["windowkill", &it.window])),
+        Some(1),
+    ),
+    (
+        "window",
+        |it| drop(it.xdotool(&["windowclose", &it.window])),
+        Some(1),
+    ),
+    ("server", Program::kill_display, Some(1)),
+    ("KILL", |it| assert!(signal::send("KILL", &it.child)), None),
+    (
+        "TERM",
+        |it| assert!(signal::send("TERM", &it.child)),
+        Some(0),
+    ),
+    ("HUP", |it| assert!(signal::send("HUP", &it.child)), Some(0)),
+];
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
+fn however_the_program_ends_edits_are_on_disk() {
+    for (name, end, code) in ENDS {
+        let mut program = Program::open(&[], &[]);
+        let file = program.folder.path().join(UNSAVED);
+        edit(&program);
+        until("the edits are on disk", || file.exists());
+        end(&mut program);
+        assert_eq!(program.ended().code(), code, "{name}");
+        let scene = Scene::load_path(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(names::<Mesh>(&scene.world).len(), 2, "{name}");
+    }
+}
+
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn however_the_program_ends_its_files_are_complete() {
-    type End = fn(&mut Program);
-    // The connection is closed, the window alone is destroyed, or the server dies: Xlib ends the program. Not INT: background
-    // processes, as these tests may be, ignore it.
-    let ends: [(&str, End, Option<i32>); 5] = [
-        (
-            "connection",
-            |it| drop(it.xdotool(&["windowkill", &it.window])),
-            Some(1),
-        ),
-        (
-            "window",
-            |it| drop(it.xdotool(&["windowclose", &it.window])),
-            Some(1),
-        ),
-        ("server", Program::kill_display, Some(1)),
-        ("KILL", |it| assert!(signal::send("KILL", &it.child)), None),
-        (
-            "TERM",
-            |it| assert!(signal::send("TERM", &it.child)),
-            Some(0),
-        ),
-    ];
-    for (name, end, code) in ends {
+    for (name, end, code) in ENDS {
         let mut program = Program::open(&["--size", "3840x2160"], &[]);
         let folder = program.folder.path().to_owned();
         // The key is pressed until a second file is there.

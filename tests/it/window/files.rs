@@ -15,7 +15,7 @@ use crate::support::window::widgets;
 const CONTROL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// A window on a file in its temporary folder.
-fn on_file() -> (Window, PathBuf) {
+pub fn on_file() -> (Window, PathBuf) {
     let mut window = Window::open();
     let path = window.folder.path().join("mine.toml");
     fs::write(&path, BUILT_IN[0].1).expect("written");
@@ -26,26 +26,31 @@ fn on_file() -> (Window, PathBuf) {
 }
 
 /// Makes an edit that must be saved.
-fn edit(window: &mut Window, intensity: f64) {
+pub fn change(window: &mut Window, intensity: f64) {
     let lights = window.app.scene.world.query_mut::<&mut Light>();
     lights
         .into_iter()
         .for_each(|light| light.intensity = intensity);
     window.step(Vec::new());
+}
+
+/// Makes an edit, and waits until it is a step of the history.
+pub fn edit(window: &mut Window, intensity: f64) {
+    change(window, intensity);
     window.wait(PAUSE);
 }
 
 /// Writes the built-in scene with another field of view.
-fn write(path: &Path, fov: &str) {
+pub fn write(path: &Path, fov: &str) {
     fs::write(path, BUILT_IN[0].1.replace("fov = 30.0", fov)).expect("written");
 }
 
-fn read(path: &Path) -> SceneRecord {
+pub fn read(path: &Path) -> SceneRecord {
     let scene = Scene::load_path(path).unwrap_or_else(|error| panic!("{error}"));
     SceneRecord::of(&scene.world)
 }
 
-fn save(window: &mut Window) {
+pub fn save(window: &mut Window) {
     window.press_with(Modifiers::COMMAND, Key::S);
 }
 
@@ -92,9 +97,6 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     assert_eq!(read(&file("cuboid.toml")).light[0].intensity, 3.0);
     assert_eq!(read(&file("cuboid-3.toml")), window.record());
     assert_eq!(fs::read(file("cuboid-2.toml")).expect("read"), b"mine");
-    edit(&mut window, 5.0);
-    let told = window.app.rescue().expect("written");
-    assert!(told.is_some_and(|told| told.contains("cuboid-3-unsaved.toml")));
     for (name, told) in [("", "needs a name"), (" mine.toml", "saved")] {
         window.app.file.new_name = name.to_owned();
         window.press_with(CONTROL_SHIFT, Key::S);
@@ -131,41 +133,6 @@ fn the_title_has_a_star_while_edits_are_not_saved() {
     assert!(!has_star(&window));
     window.undo();
     assert!(has_star(&window), "the file has the edit now");
-}
-
-#[test]
-fn unsaved_edits_are_rescued_into_a_new_file() {
-    let (mut window, path) = on_file();
-    window.press(Key::W);
-    assert_eq!(window.app.rescue().expect("nothing to write"), None);
-    edit(&mut window, 3.0);
-    for name in ["mine-unsaved.toml", "mine-unsaved-2.toml"] {
-        let told = window.app.rescue().expect("written");
-        assert!(told.is_some_and(|told| told.contains(name)));
-        assert_eq!(read(&window.folder.path().join(name)), window.record());
-    }
-    assert_ne!(read(&path), window.record());
-    // The window stays open if it may.
-    window.app.folder = path.join("no folder");
-    window.press(Key::Q);
-    assert!(!window.app.may_close(false).expect("it stays") && !window.app.quits);
-    assert!(window.message().contains("not closed"));
-    assert!(window.app.may_close(true).is_err());
-}
-
-#[test]
-fn another_scene_takes_no_edits_with_it() {
-    let (mut window, _) = on_file();
-    edit(&mut window, 3.0);
-    let edits = window.record();
-    let scene = Scene::load(Some("assignment")).expect("built in");
-    window.app.choose(scene);
-    window.wait(PAUSE);
-    assert!(window.app.title().contains("assignment"));
-    assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
-    assert_eq!(read(&window.folder.path().join("mine-unsaved.toml")), edits);
-    window.undo();
-    assert_eq!(window.message(), "nothing to undo");
 }
 
 #[test]

@@ -18,7 +18,7 @@ say = "Red light."
 set = { light.red.on = true, light.white.on = false, cuboid.emerald.size.x = 5 }
 "#;
 
-fn open() -> Window {
+pub fn open() -> Window {
     let scene = Scene::parse_lesson("a lesson", LESSON, Path::new(""));
     Window::of(scene.expect("a lesson"), SIZE)
 }
