@@ -1,6 +1,6 @@
 //! Opens a window with minifb 0.29, gathers its events and shows pixels. Works around the faults of minifb.
 //!
-//! Keys come through a callback, because polling loses taps. The button can only be polled, and [`Taps`] finds the clicks
+//! Keys come through a callback, because polling loses taps. The button can only be polled, and `Taps` finds the clicks
 //! between two polls. A window that another program destroys ends this one inside Xlib.
 
 use std::cell::RefCell;

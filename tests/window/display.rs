@@ -213,14 +213,11 @@ fn an_idle_window_uses_little_processor_time() {
     let program = Program::open(&["--size", "1920x1080"], &[]);
     let worked = || {
         let tasks = fs::read_dir(format!("/proc/{}/task", program.child.id())).expect("listed");
-        let nanoseconds = tasks.map(|task| {
-            let statistics =
-                fs::read_to_string(task.expect("a task").path().join("schedstat")).expect("read");
-            statistics
-                .split(' ')
-                .next()
-                .and_then(|word| word.parse::<u64>().ok())
-                .expect("a number")
+        let nanoseconds = tasks.filter_map(|task| {
+            let file = task.expect("a task").path().join("schedstat");
+            // A task that has ended since has no file.
+            let statistics = fs::read_to_string(file).ok()?;
+            statistics.split(' ').next()?.parse::<u64>().ok()
         });
         Duration::from_nanos(nanoseconds.sum())
     };
