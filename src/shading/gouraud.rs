@@ -77,7 +77,7 @@ impl<'a> Gouraud<'a> {
         simd: S,
         extents: &Extents<S>,
         interpolate: bool,
-    ) -> (Option<Interpolant<S>>, Squares) {
+    ) -> Option<Interpolant<S>> {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let middle = extents.affine(&self.face.w).centre;
         let inverse = 1.0 / middle;
@@ -120,7 +120,7 @@ impl<'a> Gouraud<'a> {
         self.meets = [meets[0].to_bitmask(), meets[1].to_bitmask()];
         self.in_f32 = (bounded & rounding.simd_le(limit(self.tolerance))).to_bitmask();
         if !interpolate {
-            return (None, 0);
+            return None;
         }
         let is_cut = meets[0] & meets[1];
         let rest = splat(self.tolerance) - error - rounding * AMPLIFICATION;
@@ -129,8 +129,7 @@ impl<'a> Gouraud<'a> {
             let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
             [red, green, blue, f32x16::splat(simd, 0.0)]
         });
-        let interpolant = Interpolant::new(sampled(simd, sample), [zero; 3], 0, rest);
-        (Some(interpolant), 0b1111)
+        Some(Interpolant::new(sampled(simd, sample), [zero; 3], 0, rest))
     }
 
     /// w C / w at points of squares, x and y from -1 to 1.

@@ -35,11 +35,6 @@ use super::{U, bound, limit};
 use crate::components::{PointLight, Projection, unit};
 use crate::simd::{four, inlined, three};
 
-/// The quarters of a square are tried if at most this many lights have no bound on it. With more of them, a quarter hardly
-/// ever has bounds on all. Compared with 9, a frame of many lights on small faces takes 5 % fewer instructions (18 lights,
-/// 480x360).
-const MOST_UNSURE: f64 = 1.0;
-
 /// A square that can be cut is drawn with the power of a highlight at each pixel only if the error of a polynomial exceeds what
 /// is left of the tolerance by this factor: otherwise its quarters may be polynomials, which are cheaper.
 const QUARTERS_BEND: f64 = 16.0;
@@ -145,13 +140,10 @@ impl<'a> Phong<'a> {
         simd: S,
         extents: &Extents<S>,
         interpolate: bool,
-    ) -> (Option<Interpolant<S>>, Squares) {
-        let (rest, promising) = self.classify(extents, interpolate);
-        if !interpolate {
-            return (None, 0);
-        }
-        if !rest.simd_gt(0.0).any_true() {
-            return (None, promising);
+    ) -> Option<Interpolant<S>> {
+        let rest = self.classify(extents, interpolate);
+        if !interpolate || !rest.simd_gt(0.0).any_true() {
+            return None;
         }
         let zero = f64x4::splat(simd, 0.0);
         let sample = inlined!(|xy| self.levels(simd, LaneLayout::Nodes, xy));
@@ -173,8 +165,7 @@ impl<'a> Phong<'a> {
             }
             highlights |= light.logarithms;
         }
-        let interpolant = Interpolant::new(terms, factors, highlights, rest);
-        (Some(interpolant), promising)
+        Some(Interpolant::new(terms, factors, highlights, rest))
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -184,14 +175,9 @@ impl<'a> Phong<'a> {
     }
 
     /// Classifies the lights on four squares. Returns what remains of the tolerance on each square after the errors of
-    /// interpolation, of missing highlights and of samples, and at most 0 where an error has no bound. Also returns the set
-    /// of squares whose quarters are worth trying.
+    /// interpolation, of missing highlights and of samples, and at most 0 where an error has no bound.
     #[inline(always)]
-    fn classify<S: Simd>(
-        &mut self,
-        extents: &Extents<S>,
-        interpolate: bool,
-    ) -> (f64x4<S>, Squares) {
+    fn classify<S: Simd>(&mut self, extents: &Extents<S>, interpolate: bool) -> f64x4<S> {
         let w = extents.affine(&self.face.w);
         let least_w = w.centre - w.dx.abs() - w.dy.abs();
         let simd = w.centre.token();
@@ -206,7 +192,7 @@ impl<'a> Phong<'a> {
         let mut rest = splat(self.tolerance);
         let ambient = self.surface.ambient().max_element();
         let mut rounding = Rounding::new(&normal, &eye, ambient);
-        let (mut left_out, mut has_fourth, mut unsure) = (zero, none, zero);
+        let (mut left_out, mut has_fourth) = (zero, none);
         let large = extents.half[0]
             .max(extents.half[1])
             .simd_gt(MIN_SIDE as f64 / 2.0);
@@ -256,14 +242,13 @@ impl<'a> Phong<'a> {
                 }
             }
             if interpolate {
-                // One light of a square may cross n.l = 0 there, if its highlight is left out. So a polynomial has a
-                // highlight only where n.l > 0 all over.
-                let idle = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-                crosses = !(lit | dark | idle | shines | has_fourth);
+                // A polynomial may carry the kink max(0, n.l) of one light. The highlight of that light must be left out: it
+                // jumps at n.l = 0, and no polynomial follows a jump.
+                let adds_nothing = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
+                let is_decided = lit | dark | adds_nothing;
+                crosses = !(is_decided | shines | has_fourth);
                 has_fourth |= crosses;
-                let sure = to_light.is_direction_bounded() & (lit | dark | idle | crosses);
-                unsure += sure.select(zero, one);
-                bounded &= sure;
+                bounded &= to_light.is_direction_bounded() & (is_decided | crosses);
             }
             light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
@@ -275,8 +260,7 @@ impl<'a> Phong<'a> {
         }
         let rounding = rounding.levels();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
-        let rest = bounded.select(rest - rounding * AMPLIFICATION, -one);
-        (rest, (steady & unsure.simd_le(MOST_UNSURE)).to_bitmask())
+        bounded.select(rest - rounding * AMPLIFICATION, -one)
     }
 
     /// The levels at points of squares, x and y from -1 to 1; and at nodes the fourth channel, whose light is left out of them.

@@ -8,7 +8,7 @@ use super::face::Face;
 use super::field::Extents;
 use super::gouraud::Gouraud;
 use super::interpolation::Interpolant;
-use super::lanes::{LaneLayout, Squares, has};
+use super::lanes::{LaneLayout, has};
 use super::phong::{FaceLight, Phong};
 use super::pixels::Pixels;
 use super::rows::{Pointwise, Rows};
@@ -25,30 +25,29 @@ pub enum Shader<'a> {
 }
 
 impl Shader<'_> {
-    /// Prepares four squares for evaluation. Returns their interpolant, and the squares whose quarters are worth trying.
-    /// There is no interpolant if `interpolate` is false, the tolerance is 0, or the bounds of Phong exceed the tolerance
-    /// on all four.
+    /// Prepares four squares for evaluation. There is no interpolant if `interpolate` is false, or the bounds of Phong exceed the
+    /// tolerance on all four.
     #[inline(always)]
     pub fn prepare<S: Simd>(
         &mut self,
         simd: S,
         extents: &Extents<S>,
         interpolate: bool,
-    ) -> (Option<Interpolant<S>>, Squares) {
+    ) -> Option<Interpolant<S>> {
         // The calls with a constant `false` are compiled without bounds and samples, which saves 5 % of the instructions of
         // many small faces.
         match self {
-            Shader::Gouraud(gouraud) if interpolate && gouraud.tolerance > 0.0 => {
+            Shader::Gouraud(gouraud) if interpolate => {
                 outlined!(simd, gouraud.prepare(simd, extents, true))
             }
             Shader::Gouraud(gouraud) => {
                 outlined!(simd, gouraud.prepare(simd, extents, false))
             }
-            Shader::Phong(phong) if interpolate && phong.tolerance > 0.0 => {
+            Shader::Phong(phong) if interpolate => {
                 outlined!(simd, phong.prepare(simd, extents, true))
             }
             Shader::Phong(phong) => outlined!(simd, phong.prepare(simd, extents, false)),
-            Shader::UnitVectors(_) => (None, 0),
+            Shader::UnitVectors(_) => None,
         }
     }
 

@@ -22,6 +22,8 @@ pub struct Canvas<'a, 'b> {
     pub spans: Spans<'a>,
     /// See [`TriangleId::face_id`].
     pub face_id: u32,
+    /// In levels.
+    pub tolerance: f64,
     /// The pixels of a square that are evaluated one by one.
     pub listed: &'a mut Pixels,
     /// The counts of the thread.

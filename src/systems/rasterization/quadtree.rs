@@ -12,7 +12,6 @@ use crate::frame::{Band, DrawList, Object, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
-use crate::shading::lanes::has;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
@@ -41,6 +40,7 @@ impl DrawList {
             band,
             spans,
             face_id: piece.id.face_id(),
+            tolerance: self.tolerance,
             listed,
             counts,
         };
@@ -120,7 +120,7 @@ impl Canvas<'_, '_> {
     }
 
     /// Draws four squares. Each is interpolated if that keeps the tolerance and may be cheaper. Otherwise it is cut into
-    /// quarters, or drawn pixel by pixel if it is small or its quarters are unlikely to be cheaper.
+    /// quarters, or drawn pixel by pixel if it is small or its quarters cannot be cheaper.
     fn draw_squares<S: Simd>(&mut self, simd: S, shader: &mut Shader, squares: &[Square; 4]) {
         let seen = outlined!(simd, four!(|index| self.seen_pixels(&squares[index])));
         if seen == [0; 4] {
@@ -128,7 +128,8 @@ impl Canvas<'_, '_> {
         }
         let extents = Extents::new(simd, squares, &shader.face().rays.lens);
         let covered: usize = squares.iter().map(|square| square.covered).sum();
-        let (interpolant, promising) = shader.prepare(simd, &extents, covered >= WORTHWHILE);
+        let interpolate = self.tolerance > 0.0 && covered >= WORTHWHILE;
+        let interpolant = shader.prepare(simd, &extents, interpolate);
         let mut cut = [false; 4];
         for (index, (square, seen)) in squares.iter().zip(seen).enumerate() {
             if seen == 0 {
@@ -146,7 +147,7 @@ impl Canvas<'_, '_> {
                     }
                 });
                 kind
-            } else if square.side > MIN_SIDE && (has(promising, index) || !shader.in_f32(index)) {
+            } else if square.side > MIN_SIDE && (interpolate || !shader.in_f32(index)) {
                 cut[index] = true;
                 continue;
             } else {
