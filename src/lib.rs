@@ -97,8 +97,8 @@
 //! it): the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
 //! derivatives and so the interpolation error. Its nonlinear terms are dropped if the rest of the tolerance allows it
 //! ([`shading::interpolation`]). Where a highlight bends too much, its logarithm is interpolated, and each pixel takes the
-//! power. If the bound exceeds the tolerance, a square of 32 x 32 pixels is cut into quarters if their bounds may suffice or
-//! f32 is too coarse. All other squares are evaluated pixel by pixel.
+//! power. If the bound exceeds the tolerance, or f32 is too coarse, a square of 32 x 32 pixels is cut into quarters. All other
+//! squares are evaluated pixel by pixel.
 //! [`shading::SquareKind`] lists the ways, and the window's tiles view shows them.
 //!
 //! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at

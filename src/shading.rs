@@ -6,10 +6,10 @@
 //! ```text
 //! draw(square):
 //!     classify each light: is n.l > 0 all over the square, n.l <= 0 all over, or neither? is its highlight visible?
-//!     if bounds on the interpolation error of every light, and on all rounding errors, add up to less than the tolerance:
+//!     if there are enough pixels, and bounds on the interpolation error of every light, and on all rounding errors, add up to less than the tolerance:
 //!         evaluate the model at nine nodes; draw the biquadratic polynomial through them, without terms that are negligible
 //!         (of one light n.l, or the logarithm of its highlight, is a polynomial of its own)
-//!     else if the square is larger than 16 x 16 pixels, and either the bounds may suffice on its quarters or f32 is too coarse:
+//!     else if the square is larger than 16 x 16 pixels, and either bounds were computed or f32 is too coarse:
 //!         draw each quarter
 //!     else:
 //!         evaluate the model at every pixel, in f32 where its rounding error keeps the tolerance, else in f64
@@ -73,11 +73,11 @@ use serde::Serialize;
 pub(crate) const U: f64 = 5.960_464_477_539_063e-8;
 
 /// The largest error at tolerance 0, in levels.
-pub const EXACT: f64 = 0.05;
+pub const LIMIT_0: f64 = 0.05;
 
-/// The largest permitted error of a pixel, in levels: the tolerance, or [`EXACT`] where that is 0.
+/// The largest permitted error of a pixel, in levels: the tolerance, or [`LIMIT_0`] where that is 0.
 pub(crate) fn limit(tolerance: f64) -> f64 {
-    if tolerance > 0.0 { tolerance } else { EXACT }
+    if tolerance > 0.0 { tolerance } else { LIMIT_0 }
 }
 
 /// How a square was drawn, from the cheapest to the most expensive way.
@@ -99,14 +99,10 @@ pub enum SquareKind {
 
 impl SquareKind {
     /// All of them, in order.
-    pub const ALL: [SquareKind; 6] = [
-        SquareKind::Linear,
-        SquareKind::Quadratic,
-        SquareKind::Terminator,
-        SquareKind::Highlight,
-        SquareKind::PerPixel,
-        SquareKind::InF64,
-    ];
+    pub const ALL: [SquareKind; 6] = {
+        use SquareKind::{Highlight, InF64, Linear, PerPixel, Quadratic, Terminator};
+        [Linear, Quadratic, Terminator, Highlight, PerPixel, InF64]
+    };
 
     /// Its name in panels and reports.
     pub const fn name(self) -> &'static str {
@@ -121,7 +117,8 @@ impl SquareKind {
     }
 }
 
-/// Counts of the work for one frame. They are the same on every machine and for any number of threads.
+/// Counts of the work for one frame. They are the same for any number of threads. On another machine a few squares may be drawn in
+/// another way, because another libm may round the limit of faint highlights ([`gloss`]) differently.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// Pixels covered by a triangle.

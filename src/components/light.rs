@@ -45,7 +45,7 @@ pub struct Light {
 
 impl Light {
     /// Its strength in levels of 255, by channel: color * intensity * gain.
-    pub fn levels(&self) -> DVec3 {
+    pub fn strength(&self) -> DVec3 {
         self.color * (self.intensity * self.gain)
     }
 }

@@ -36,11 +36,6 @@ impl Drawn {
             overlaps: false,
         }
     }
-
-    /// Records, after clearing, that a span is drawn. Where pieces overlap, [`Band::will_draw`] has not met all of them.
-    pub fn drew(&mut self, span: &Range<usize>) {
-        self.by_last = joined(self.by_last, span);
-    }
 }
 
 /// The buffers of some rows of a frame, for one thread. A buffer that the frame does not keep is empty.
@@ -115,14 +110,14 @@ impl<'a> Band<'a> {
     #[inline(always)]
     pub fn will_draw(&mut self, row: usize, span: &Range<usize>, in_runs: bool) {
         let drawn = &mut self.drawn[row - self.rows.start];
+        let mut span = [span.start as u32, span.end as u32];
         drawn.by_next = joined(drawn.by_next, span);
         if !in_runs {
             return;
         }
-        let mut span = [span.start as u32, span.end as u32];
         for run in &mut drawn.runs {
             if run[1] == span[0] || span[1] == run[0] {
-                span = [run[0].min(span[0]), run[1].max(span[1])];
+                span = joined(*run, span);
                 *run = NO_RUN;
             }
         }
@@ -155,11 +150,8 @@ impl<'a> Band<'a> {
 }
 
 /// The smallest range that holds both ranges.
-fn joined(range: [u32; 2], span: &Range<usize>) -> [u32; 2] {
-    [
-        range[0].min(span.start as u32),
-        range[1].max(span.end as u32),
-    ]
+fn joined(one: [u32; 2], other: [u32; 2]) -> [u32; 2] {
+    [one[0].min(other[0]), one[1].max(other[1])]
 }
 
 /// Takes the first elements of a slice, if it has any.

@@ -23,8 +23,6 @@ pub(crate) struct DrawList {
     /// In the order of drawing.
     pub pieces: Vec<Piece>,
     pub objects: Vec<Object>,
-    /// One entry per run of consecutive objects with the same material.
-    pub glosses: Vec<Gloss>,
     /// For each strip of [`MAX_SIDE`] rows of the picture the indices of its pieces, in the order of drawing.
     pub strips: Vec<Vec<u32>>,
     /// The rows of the picture at which its bands end; see [`DrawList::cut`].
@@ -44,8 +42,7 @@ pub(crate) struct Object {
     pub mode: ShadingMode,
     /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
     pub corners: [DVec3; 8],
-    /// Its index in [`DrawList::glosses`], if its mode is Phong.
-    pub gloss: usize,
+    pub gloss: Gloss,
 }
 
 /// A face, and the pixels that it covers.
@@ -69,7 +66,6 @@ impl DrawList {
     pub fn clear(&mut self) {
         self.pieces.clear();
         self.objects.clear();
-        self.glosses.clear();
         self.strips.iter_mut().for_each(Vec::clear);
         self.from.clear();
         self.to.clear();

@@ -6,7 +6,7 @@ use std::ops::{Add, Mul};
 use glam::DVec3;
 
 /// A vector or a number that is an affine function of the position: `centre + dx * x + dy * y`. On squares, `T`
-/// holds the values of four of them.
+/// holds the values of several.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affine<T = DVec3> {
     /// The value at the middle.

@@ -62,8 +62,8 @@
 //!
 //! `proofs/theorems` has Coq proofs of these theorems. `proofs/README.md` lists the steps that are done by hand.
 //!
-//! Four squares are bounded at a time, each independently of the others. NaN or infinity is no bound. min and max may
-//! drop a NaN. That is safe: the other operand is a bound by itself, or a sum keeps the NaN.
+//! A square whose bound is NaN or infinite is not interpolated. `min` may return the operand that is a number: wherever it is used
+//! here, each of the two operands alone is a bound.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -73,7 +73,7 @@ use super::affine::Affine;
 use super::field::{Field, positive};
 use super::gloss::Gloss;
 use super::interpolation::AMPLIFICATION;
-use super::lanes::dot;
+use super::lanes::{cross, dot};
 use super::specular::{self, EXPONENT_ERROR};
 use crate::simd::{three, two};
 
@@ -156,13 +156,11 @@ pub struct Reflection<S: Simd> {
     pub sine: f64x4<S>,
 }
 
-/// The bounds for a light; `cosine` is n.l at the middle. r turns by at most twice the turn
+/// The bounds for the fields n, l and o; `cosine` is n.l at the middle. r turns by at most twice the turn
 /// of n plus that of l.
 #[inline(always)]
 pub fn reflection<S: Simd>(
-    normal: &Field<S>,
-    light: &Field<S>,
-    eye: &Field<S>,
+    [normal, light, eye]: [&Field<S>; 3],
     cosine: f64x4<S>,
 ) -> Reflection<S> {
     let simd = cosine.token();
@@ -170,12 +168,8 @@ pub fn reflection<S: Simd>(
     let r = three!(|axis| n[axis] * cosine * 2.0 - l[axis]);
     let s = dot(o, &r);
     // |o x r| is the sine of the angle. The root of 1 - s^2 would lose its digits where s is near 1.
-    let cross = [
-        o[1] * r[2] - o[2] * r[1],
-        o[2] * r[0] - o[0] * r[2],
-        o[0] * r[1] - o[1] * r[0],
-    ];
-    let sine = dot(&cross, &cross).sqrt();
+    let product = cross(o, &r);
+    let sine = dot(&product, &product).sqrt();
     let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
     // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. So, theta being the
     // angle at the middle,

@@ -22,24 +22,20 @@ pub fn display_pixel(levels: [f64; 3]) -> u32 {
 /// 2^23: adding it to a float of 0..=255 leaves the nearest integer, halves to even, in the low bits.
 const INTEGERS: f32 = 8_388_608.0;
 
-/// The display step of levels in f32. The low byte is the result, and the other bits are those of [`INTEGERS`]. Saturating
-/// casts would keep loops from being vectorised. The next larger float is rounded, so that halves are rounded up. The float
-/// just below a half becomes that half, so after an odd integer it is rounded up, too (1.49999988 gives 2).
-#[inline(always)]
-pub(super) fn display_bits<S: Simd>(level: f32x16<S>) -> u32x16<S> {
-    let simd = level.token();
-    // A maximum may return either operand where one of them is not a number; a comparison is false there.
-    let zero = f32x16::splat(simd, 0.0);
-    let positive = level.simd_gt(zero).select(level, zero);
-    let clamped = positive.min(f32x16::splat(simd, 255.0));
-    (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
-}
-
-/// The display step of three channels as 0x00RRGGBB.
+/// The display step of three channels in f32 as 0x00RRGGBB. Saturating casts would keep loops from being vectorised. The next
+/// larger float is rounded, so that halves are rounded up. The float just below a half becomes that half, so after an odd integer
+/// it is rounded up, too (1.49999988 gives 2).
 #[inline(always)]
 pub(super) fn display<S: Simd>(levels: [f32x16<S>; 3]) -> u32x16<S> {
-    // The bits above each byte are shifted or masked out.
-    let [red, green, blue] = three!(|channel| display_bits(levels[channel]));
+    let simd = levels[0].token();
+    let zero = f32x16::splat(simd, 0.0);
+    let [red, green, blue] = three!(|channel| {
+        // A maximum may return either operand where one of them is not a number; a comparison is false there.
+        let positive = levels[channel].simd_gt(zero).select(levels[channel], zero);
+        let clamped = positive.min(f32x16::splat(simd, 255.0));
+        (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
+    });
+    // The bits of `INTEGERS` above each byte are shifted or masked out.
     (red << 16) | (green << 8) | (blue & 0xff)
 }
 

@@ -52,10 +52,12 @@ impl Rays {
 /// The plane of a face, as the lines of sight of a picture meet it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Plane {
+    /// The index of the face, as [`FACES`] counts.
+    face: usize,
     /// The unit normal, on the side that is seen.
     outwards: DVec3,
     /// -m.d and m.O - h; see above.
-    w: Affine<f64>,
+    pub w: Affine<f64>,
     height: Affine<f64>,
 }
 
@@ -66,6 +68,7 @@ impl Plane {
         let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
         let outwards = transform.axes.col(axis) * sign;
         Plane {
+            face: index,
             outwards,
             w: rays.direction.map(|d| -outwards.dot(d)),
             height: Affine {
@@ -93,13 +96,7 @@ pub const OVERSHOOT: f64 = 1.0 / 128.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
     pub rays: &'a Rays,
-    /// As [`FACES`] counts.
-    index: usize,
-    /// The unit normal, on the side that is seen.
-    outwards: DVec3,
-    /// w and H.
-    pub w: Affine<f64>,
-    height: Affine<f64>,
+    pub plane: Plane,
     /// u, v and 1, times w: from -1 to 1 along the face's axes.
     pub uvw: Affine,
     /// w times [`Self::diagonal_at`].
@@ -116,40 +113,27 @@ pub struct Face<'a> {
 }
 
 impl<'a> Face<'a> {
-    /// Face `index` of a cuboid, as [`FACES`] counts, in its plane. `half` are half the cuboid's edges, in world units.
-    pub fn new(
-        index: usize,
-        plane: &Plane,
-        transform: &WorldTransform,
-        half: DVec3,
-        rays: &'a Rays,
-    ) -> Self {
-        let axis = index / 2;
+    /// The face of a cuboid in this plane. `half` are half the cuboid's edges, in world units.
+    pub fn new(plane: &Plane, transform: &WorldTransform, half: DVec3, rays: &'a Rays) -> Self {
+        let axis = plane.face / 2;
         let along = [(axis + 1) % 3, (axis + 2) % 3];
-        let &Plane {
-            outwards,
-            w,
-            height,
-        } = plane;
         let centre = transform.position - rays.lens.eye;
         let face = Face {
             rays,
-            index,
-            outwards,
-            w,
-            height,
+            plane: *plane,
             uvw: Affine::default(),
             diagonal: Affine::default(),
             uv_gradient: 0.0,
             half_height: half[axis],
-            middle: centre + outwards * half[axis],
+            middle: centre + plane.outwards * half[axis],
             half_edges: along.map(|axis| transform.axes.col(axis) * half[axis]),
-            corners: FACES[index]
+            corners: FACES[plane.face]
                 .map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 })),
         };
         let to_centre = face.towards(centre, DVec3::ZERO);
         let [u, v] =
             along.map(|axis| to_centre.map(|c| -transform.axes.col(axis).dot(c) / half[axis]));
+        let w = &plane.w;
         let uvw = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
             dx: DVec3::new(u.dx, v.dx, w.dx),
@@ -170,7 +154,7 @@ impl<'a> Face<'a> {
     /// rounded away.
     pub fn interpolate(&self, values: &[DVec3; 8], triangle: usize) -> Affine {
         let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
-        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.index][corner])]);
+        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.plane.face][corner])]);
         let signs = corners.map(|corner| self.corners[corner]);
         let half = |axis: usize| {
             let [from, middle, to] = signs.map(|signs| signs[axis]);
@@ -184,32 +168,31 @@ impl<'a> Face<'a> {
     ///
     /// On an edge the weight of the corner opposite is exactly 0, so a very large value there does not round the others away.
     pub fn blend(&self, values: &[DVec3; 8], [u, v]: [f64; 2]) -> DVec3 {
-        let [a, b, c, d] = FACES[self.index].map(|corner| values[usize::from(corner)]);
+        let [a, b, c, d] = FACES[self.plane.face].map(|corner| values[usize::from(corner)]);
         let third = if self.diagonal_at([u, v]) < 0.0 { d } else { b };
         let (least, most) = (u.min(v), u.max(v));
         (a * (1.0 - most) + third * (most - least) + c * (1.0 + least)) / 2.0
     }
 
-    /// w times the vector to a light, whose position is given from the eye and from the cuboid's centre, in world units.
+    /// w times the vector to a light, in world units.
     ///
     /// The affine part of w (L - O) - H d. In perspective O and H are constant, in orthographic projection w and d are, so
     /// there are no terms of second order. Its component along the normal is w times the light's height above the face. The
     /// height is computed from the nearer of the two positions, so that a light one ulp above the face has a positive
     /// height.
-    pub fn towards(&self, light: DVec3, from_centre: DVec3) -> Affine {
+    pub fn towards(&self, light_from_eye: DVec3, light_from_centre: DVec3) -> Affine {
         // The rays start at the eye, or on the plane through it, so the centre of `from` is 0.
         let (from, d) = (&self.rays.start, &self.rays.direction);
-        let (w, h) = (&self.w, &self.height);
+        let (outwards, w, h) = (self.plane.outwards, &self.plane.w, &self.plane.height);
         let towards = Affine {
-            centre: light * w.centre - d.centre * h.centre,
-            dx: light * w.dx - from.dx * w.centre - d.dx * h.centre - d.centre * h.dx,
-            dy: light * w.dy - from.dy * w.centre - d.dy * h.centre - d.centre * h.dy,
+            centre: light_from_eye * w.centre - d.centre * h.centre,
+            dx: light_from_eye * w.dx - from.dx * w.centre - d.dx * h.centre - d.centre * h.dx,
+            dy: light_from_eye * w.dy - from.dy * w.centre - d.dy * h.centre - d.centre * h.dy,
         };
-        if length(light) < length(from_centre) {
+        if length(light_from_eye) < length(light_from_centre) {
             return towards;
         }
-        let outwards = self.outwards;
-        let above = outwards.dot(from_centre) - self.half_height;
+        let above = outwards.dot(light_from_centre) - self.half_height;
         let lifted = |v: DVec3, w: f64| v - outwards * outwards.dot(v) + outwards * above * w;
         Affine {
             centre: lifted(towards.centre, w.centre),
@@ -250,8 +233,8 @@ impl<'a> Face<'a> {
     /// whose line of sight passes beyond the far end of the face, or misses the plane (w <= 0). Such a pixel gets the far
     /// end.
     fn clamp(&self, x: f64, y: f64) -> [f64; 2] {
-        let (uvw, w) = (self.uvw.at(x, y), &self.w);
-        let along = self.rays.direction.at(x, y) * self.height.at(x, y);
+        let (uvw, w) = (self.uvw.at(x, y), &self.plane.w);
+        let along = self.rays.direction.at(x, y) * self.plane.height.at(x, y);
         let [u, v] = self.half_edges.map(|half| {
             let [foot, step] = [-self.middle, along].map(|v| v.dot(half) / half.length_squared());
             // w at the far end.

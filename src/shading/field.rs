@@ -1,4 +1,4 @@
-//! Vectors that are affine in the pixel, on four squares at a time: how far they move, and how fast their directions turn.
+//! Vectors that are affine in the pixel, on squares: how far they move, and how fast their directions turn.
 //!
 //! Where a vector is zero at the middle of a square, its lengths and rates are NaN or infinite. No comparison takes
 //! them for a bound.
@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4, mask64x4};
 
 use super::affine::Affine;
-use super::lanes::dot;
+use super::lanes::{cross, dot};
 use super::square::Square;
 use crate::components::Lens;
 use crate::simd::{four, inlined, three, two};
@@ -27,7 +27,7 @@ pub struct Extents<S: Simd> {
 }
 
 impl<S: Simd> Extents<S> {
-    /// Those of four squares of the picture of a lens.
+    /// Those of squares of the picture of a lens.
     #[inline(always)]
     pub fn new(simd: S, squares: &[Square; 4], lens: &Lens) -> Self {
         let middles = four!(|square| squares[square].middle());
@@ -50,7 +50,7 @@ impl<S: Simd> Extents<S> {
     }
 }
 
-/// A vector on four squares.
+/// A vector on squares.
 #[derive(Clone, Copy)]
 pub struct Field<S: Simd> {
     /// Scaled to length one at the middle of each square.
@@ -64,7 +64,7 @@ pub struct Field<S: Simd> {
 }
 
 impl<S: Simd> Field<S> {
-    /// A vector on four squares. Its direction is not bounded where the square of its length exceeds the range of f64.
+    /// Its direction is not bounded where the square of its length exceeds the range of f64.
     #[inline(always)]
     pub fn new(vector: &Affine, extents: &Extents<S>) -> Self {
         let [x, y] = extents.middle;
@@ -82,19 +82,16 @@ impl<S: Simd> Field<S> {
         let infinite = f64x4::splat(inverse.token(), f64::INFINITY);
         let is_finite = inverse.simd_gt(0.0);
         let radius = is_finite.select(right_length + down_length, infinite);
-        let parallelogram = length(&three!(|axis| {
-            let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
-            right[next] * down[last] - right[last] * down[next]
-        }));
+        let parallelogram = length(&cross(&right, &down));
         let along = [dot(&middle, &right), dot(&middle, &down)];
         // A change perpendicular to the vector at the middle makes it no shorter.
         let shortest = 1.0 - along[0].abs() - along[1].abs();
         let inverse = 1.0 / shortest;
         // For p: (V + y V_y) x V_x = V x V_x + y V_y x V_x, over the least |V|^2; |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
         let rates = inlined!(|along: f64x4<S>, length: f64x4<S>| {
-            let cross = positive(length * length - along * along).sqrt() + parallelogram;
+            let product = positive(length * length - along * along).sqrt() + parallelogram;
             let q = length * inverse;
-            let p = (cross + length * CROSS_ERROR) * inverse * inverse;
+            let p = (product + length * CROSS_ERROR) * inverse * inverse;
             [p.min(q), q]
         });
         Field {

@@ -6,7 +6,6 @@ use fearless_simd::{Simd, f64x4};
 
 use super::limit;
 use super::surface::Surface;
-use crate::components::Material;
 
 /// The part of the tolerance that all highlights too faint to be drawn may use together. With a larger part more highlights
 /// are left out, but other errors must be smaller. A tenth or a half changes the instructions of a frame by 1 to 2 % (default
@@ -19,7 +18,6 @@ const DOUBT: f64 = 1.0 / 256.0;
 /// The constants of the highlights of one material.
 #[derive(Clone, Copy, Debug)]
 pub struct Gloss {
-    pub material: Material,
     /// Never rounded to 0: for rho = 0 the power of an s <= 0 is 1, else it is 0.
     pub shininess: f32,
     /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), absolute.
@@ -64,7 +62,6 @@ impl Gloss {
         let second = (shininess * (shininess - 1.0)).abs();
         let is_steep = shininess > 0.0 && shininess < 1.0;
         Gloss {
-            material: *surface.material,
             shininess: if shininess > 0.0 {
                 (shininess as f32).max(f32::MIN_POSITIVE)
             } else {
@@ -113,7 +110,7 @@ pub(super) mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::components::{Illumination, PointLight};
+    use crate::components::{Illumination, Material, PointLight};
     use crate::shading::U;
     use crate::shading::specular::{self, power_exact};
     use crate::simd::token;

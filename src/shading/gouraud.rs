@@ -17,14 +17,14 @@ use super::lanes::{LaneLayout, Squares};
 use super::{U, limit};
 use crate::simd::{inlined, three, two};
 
-/// A face with levels at its vertices, and the four squares of it that were prepared last.
+/// A face with levels at its vertices, and the squares of it that were prepared last.
 pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
     /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the
     /// pixel.
-    levels: &'a [DVec3; 8],
+    vertex_levels: &'a [DVec3; 8],
     colors_by_pixel: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
     w_by_square: Affine<[f32; 4]>,
@@ -43,24 +43,24 @@ pub struct Gouraud<'a> {
 ///   numerator                          6     a term: stored, 2 for x or y, product, 2 sums
 ///   w                              3 x 6     6 roundings of w, which is at most 1.5, over the smallest w, 1/2
 ///   division                           2     a reciprocal and a product
-///   diagonal                       2 x 6     pixels on its wrong side, where the triangles differ by up to 2
+///   wrong triangle                 2 x 6     six roundings of `diagonal`, near which the triangles differ by up to 2
 ///   all that over the smallest w     x 2     1/2
 ///   display                            4     two at the size of a level; the next larger float is rounded
 /// ```
-/// Where both triangles are seen, their w C differ by |[`Face::diagonal`]| times a constant: where that is largest, by at
-/// most twice the largest colour. A pixel on the wrong side has six roundings of it.
+/// Near the diagonal f32 may take the colour of the other triangle. The two w C differ by |[`Face::diagonal`]| times a constant:
+/// where that is largest, by at most twice the largest colour.
 const COLOR_ERROR: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {
     /// Draws levels that are given at a cuboid's corners.
-    pub fn new(face: &'a Face, levels: &'a [DVec3; 8], tolerance: f64) -> Self {
+    pub fn new(face: &'a Face, vertex_levels: &'a [DVec3; 8], tolerance: f64) -> Self {
         Gouraud {
             face,
             tolerance,
-            levels,
+            vertex_levels,
             colors_by_pixel: [0, 1].map(|triangle| {
-                let levels = face.interpolate(levels, triangle);
-                face.uvw.map(|it| levels.homogeneous(it.x, it.y, it.z))
+                let color = face.interpolate(vertex_levels, triangle);
+                face.uvw.map(|it| color.homogeneous(it.x, it.y, it.z))
             }),
             w_by_square: Affine::default(),
             diagonal_by_square: Affine::default(),
@@ -79,13 +79,13 @@ impl<'a> Gouraud<'a> {
         interpolate: bool,
     ) -> Option<Interpolant<S>> {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
-        let middle = extents.affine(&self.face.w).centre;
+        let middle = extents.affine(&self.face.plane.w).centre;
         let inverse = 1.0 / middle;
         let divided = inlined!(|term: f64x4<S>| term * inverse);
         let scaled = inlined!(|number: &Affine<f64>| extents.affine(number).map(divided));
         let w = Affine {
             centre: splat(1.0),
-            ..scaled(&self.face.w)
+            ..scaled(&self.face.plane.w)
         };
         let diagonal = scaled(&self.face.diagonal);
         let change = diagonal.dx.abs() + diagonal.dy.abs();
@@ -129,7 +129,8 @@ impl<'a> Gouraud<'a> {
             let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
             [red, green, blue, f32x16::splat(simd, 0.0)]
         });
-        Some(Interpolant::new(sampled(simd, sample), [zero; 3], 0, rest))
+        let terms = sampled(simd, sample);
+        Some(Interpolant::new(terms, [[0.0; 3]; 4], 0, rest))
     }
 
     /// w C / w at points of squares, x and y from -1 to 1.
@@ -153,7 +154,7 @@ impl<'a> Gouraud<'a> {
     /// See [`super::Shader::levels_f64`].
     pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         let (uv, _) = self.face.uv_at(x, y);
-        self.face.blend(self.levels, uv)
+        self.face.blend(self.vertex_levels, uv)
     }
 }
 

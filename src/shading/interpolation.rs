@@ -29,6 +29,15 @@ pub const NODE: f64 = 0.866_025_403_784_438_6;
 /// nodes.
 pub const AMPLIFICATION: f64 = 25.0 / 9.0;
 
+/// The coefficients of a biquadratic polynomial, by power of y and of x.
+pub type Biquadratic<T> = [[T; 3]; 3];
+
+/// The polynomials of the three colour channels, and of the fourth channel.
+pub type SquareColor<T> = [Biquadratic<T>; 4];
+
+/// The index of the channel that one light may have to itself.
+pub const FOURTH: usize = 3;
+
 /// The coefficients of the quadratic through samples at the nodes.
 #[inline(always)]
 fn quadratic<S: Simd>([left, middle, right]: [f64x4<S>; 3]) -> [f64x4<S>; 3] {
@@ -39,20 +48,20 @@ fn quadratic<S: Simd>([left, middle, right]: [f64x4<S>; 3]) -> [f64x4<S>; 3] {
     ]
 }
 
-/// The coefficients of the biquadratic, by power of y and of x, through nine samples by row and column.
+/// The biquadratic through nine samples by row and column.
 #[inline(always)]
-pub fn biquadratic<S: Simd>(samples: &[[f64x4<S>; 3]; 3]) -> [[f64x4<S>; 3]; 3] {
+pub fn biquadratic<S: Simd>(samples: &[[f64x4<S>; 3]; 3]) -> Biquadratic<f64x4<S>> {
     let rows = three!(|j| quadratic(samples[j]));
     let columns = three!(|i| quadratic([rows[0][i], rows[1][i], rows[2][i]]));
     three!(|j| three!(|i| columns[i][j]))
 }
 
-/// The biquadratics of four channels through samples at the nodes; the lanes of a sample belong to each square in turn.
+/// The biquadratics through samples at the nodes; a sample has the lanes of [`super::lanes::LaneLayout::Nodes`].
 #[inline(always)]
 pub fn sampled<S: Simd>(
     simd: S,
     sample: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 4],
-) -> [[[f64x4<S>; 3]; 3]; 4] {
+) -> SquareColor<f64x4<S>> {
     // Lanes by node and square; the last four are not used.
     let nodes = [-NODE as f32, 0.0, NODE as f32, 0.0];
     let x = f32x16::from_fn(simd, |lane| nodes[lane / 4]);
@@ -93,14 +102,13 @@ const FIXED_SUM: f64 = 16_000.0;
 /// The largest size of the fourth channel: 9 U times this is below one.
 const MAX_FOURTH: f64 = 1e6;
 
-/// Colours of four squares, x and y from -1 to 1 over each, and how each square is drawn.
+/// Colours of squares, x and y from -1 to 1 over each, and how each square is drawn.
 pub struct Interpolant<S: Simd> {
-    /// The coefficients of three channels, then of n.l of the light whose terminator crosses the square or of log2(s^rho) of one
-    /// highlight. Each pixel takes max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|; or the power
+    /// The fourth channel is n.l of the light that crosses 0 on the square, or log2(s^rho) of one highlight. Each pixel takes max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|; or the power
     /// of two, whose error [`super::bound`] bounds.
-    terms: [[[f64x4<S>; 3]; 3]; 4],
-    /// The factors of max(0, n.l) or s^rho, in levels; 0 where there is no fourth channel.
-    factors: [f64x4<S>; 3],
+    terms: SquareColor<f64x4<S>>,
+    /// The factors of max(0, n.l) or s^rho of each square, in levels; 0 where there is no fourth channel.
+    factors: [[f32; 3]; 4],
     /// None where the rest of the tolerance does not suffice or a sample is not a number.
     pub kinds: [Option<SquareKind>; 4],
     /// The squares whose three channels are linear.
@@ -111,16 +119,20 @@ pub struct Interpolant<S: Simd> {
 
 impl<S: Simd> Interpolant<S> {
     /// Chooses the cheapest rows whose error is at most the rest of the tolerance. The kind is `None` if nothing is left. Each
-    /// square of `highlights` has the logarithm of a highlight as its fourth channel.
+    /// square of `logarithms` has the logarithm of a highlight as its fourth channel.
     #[inline(always)]
     pub fn new(
-        terms: [[[f64x4<S>; 3]; 3]; 4],
-        factors: [f64x4<S>; 3],
-        highlights: Squares,
+        terms: SquareColor<f64x4<S>>,
+        by_square: [[f32; 3]; 4],
+        logarithms: Squares,
         rest: f64x4<S>,
     ) -> Self {
-        let zero = f64x4::splat(rest.token(), 0.0);
+        let simd = rest.token();
+        let zero = f64x4::splat(simd, 0.0);
         let [mut size, mut error] = [zero; 2];
+        let factors = three!(|channel| {
+            f64x4::from_fn(simd, |square| f64::from(by_square[square][channel]))
+        });
         let has_fourth = (factors[0] + factors[1] + factors[2]).simd_gt(0.0);
         let most = has_fourth.select(zero + FIXED_SUM, zero + FIXED_RANGE[1]);
         let mut inside = rest.simd_gt(0.0);
@@ -128,7 +140,7 @@ impl<S: Simd> Interpolant<S> {
         let mut finite = inside;
         // One for the term.
         let mut fourth = zero + 1.0;
-        for [a, b, c] in terms[3] {
+        for [a, b, c] in terms[FOURTH] {
             fourth = fourth + a.abs() + b.abs() + c.abs();
         }
         for channel in 0..3 {
@@ -155,7 +167,7 @@ impl<S: Simd> Interpolant<S> {
         let has_fourth = has_fourth.to_bitmask();
         let linear = error.simd_le(allowed).to_bitmask();
         let kinds = four!(|index| {
-            let kind = if has(highlights, index) {
+            let kind = if has(logarithms, index) {
                 SquareKind::Highlight
             } else if has(has_fourth, index) {
                 SquareKind::Terminator
@@ -168,7 +180,7 @@ impl<S: Simd> Interpolant<S> {
         });
         Interpolant {
             terms,
-            factors,
+            factors: by_square,
             kinds,
             linear,
             fixed: fixed.to_bitmask(),
@@ -187,24 +199,22 @@ impl<S: Simd> Interpolant<S> {
     #[inline(always)]
     pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
         let kind = self.kinds[index].unwrap_or(SquareKind::Quadratic);
-        let factors = three!(|channel| self.factors[channel].as_array()[index] as f32);
-        let fixed = has(self.fixed, index);
-        let color = self.color(index, square);
-        let linear = has(self.linear, index);
-        Curve::new(simd, &color, square, [linear, fixed], kind, factors)
+        let form = [self.linear, self.fixed].map(|squares| has(squares, index));
+        let (color, factors) = (self.color(index, square), self.factors[index]);
+        Curve::new(simd, color, square, form, kind, factors)
     }
 
-    /// The channels of one of the squares by power of y and of x, in pixels from its middle.
+    /// The polynomials of one of the squares, in pixels from its middle.
     #[inline(always)]
-    fn color(&self, index: usize, square: &Square) -> [[[f64; 3]; 3]; 4] {
+    fn color(&self, index: usize, square: &Square) -> SquareColor<f64> {
         let [x, y] = square.half().map(|half| 1.0 / half);
         let mut color = [[[0.0; 3]; 3]; 4];
         for channel in 0..4 {
             let c = three!(|j| three!(|i| self.terms[channel][j][i].as_array()[index]));
-            // The middles of the ranges of x^2 and y^2 take their place.
+            // Linear form: x^2 and y^2 become 1/2.
             let middle = c[0][0] + (c[0][2] + c[2][0]) * 0.5 + c[2][2] * 0.25;
             let [right, down] = [c[0][1] + c[2][1] * 0.5, c[1][0] + c[1][2] * 0.5];
-            let c = if channel < 3 && has(self.linear, index) {
+            let c = if channel < FOURTH && has(self.linear, index) {
                 [[middle, right, 0.0], [down, 0.0, 0.0], [0.0; 3]]
             } else {
                 c

@@ -1,17 +1,29 @@
 //! Sixteen lanes of f32, which hold either nodes of four squares or pixels of one square.
+//!
+//! Squares are prepared in fours, because a bound in f64 fills four lanes. Three nodes of each of the four squares fill twelve lanes.
+//! Four neighbours in a row of the grid are prepared together, and the four quarters of a square.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x4, f32x16, mask32x16};
 
 use super::affine::Affine;
-use crate::simd::inlined;
+use crate::simd::{inlined, three};
 
 /// The scalar product.
 #[inline(always)]
 pub fn dot<V: Copy + Add<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) -> V {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The vector product.
+#[inline(always)]
+pub fn cross<V: Copy + Sub<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
+    three!(|axis| {
+        let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+        a[next] * b[last] - a[last] * b[next]
+    })
 }
 
 /// A set of the four squares that are prepared together: bit i stands for square i.

@@ -15,31 +15,29 @@
 //! rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
 //! again in f64. Without these marks the whole square would be evaluated in f64.
 //!
-//! All decisions depend on the four squares and their face alone, so neither threads nor parts of a picture change them.
+//! All decisions depend on the face and on the four squares that are prepared together. A bound of one does not depend on the
+//! other three, but its samples do: if a highlight is drawn in any of the four, normals are normalised in all, and f32 may be
+//! doubted in all. The grid says which four belong together, so neither threads nor parts of a picture change a decision.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
+use super::bound::{self, Reflection};
 use super::face::Face;
 use super::field::{Extents, Field};
 use super::gloss::Gloss;
-use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
+use super::interpolation::{AMPLIFICATION, FOURTH, Interpolant, sampled};
 use super::lanes::{LaneLayout, Squares, dot, has};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
-use super::square::MIN_SIDE;
 use super::surface::Surface;
-use super::{U, bound, limit};
-use crate::components::{PointLight, Projection, unit};
+use super::{U, limit};
+use crate::components::{Projection, unit};
 use crate::simd::{four, inlined, three};
 
-/// A square that can be cut is drawn with the power of a highlight at each pixel only if the error of a polynomial exceeds what
-/// is left of the tolerance by this factor: otherwise its quarters may be polynomials, which are cheaper.
-const QUARTERS_BEND: f64 = 16.0;
-
-/// A point light on a face, and on the four squares prepared last.
+/// A point light on a face, and on the squares prepared last.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FaceLight {
     /// w (L - P).
@@ -53,10 +51,8 @@ pub struct FaceLight {
     reaches: Squares,
     /// Where its highlight is drawn.
     shines: Squares,
-    /// Where it is the light that crosses n.l = 0. Its highlight is left out there.
-    crosses: Squares,
-    /// Where the logarithm of its highlight is interpolated.
-    logarithms: Squares,
+    /// Where it is the fourth channel: it shines and the logarithm of its highlight is interpolated, or else n.l crosses 0.
+    fourth: Squares,
     /// `by_pixel`, scaled to length one at the middle of each square.
     by_square: [Affine<[f32; 4]>; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
@@ -64,20 +60,37 @@ pub struct FaceLight {
 }
 
 impl FaceLight {
-    /// Overwrites it with a light on a face. `most` is 0 if it adds nothing to the face.
-    fn set(&mut self, face: &Face, surface: &Surface, light: &PointLight) {
-        let position = light.position - face.rays.lens.eye;
-        let coefficients = surface.coefficients(light);
-        self.most = coefficients.map(DVec3::max_element);
-        if self.most == [0.0; 2] {
-            return;
+    /// The interpolation error of its highlight, in levels, and the squares on which the logarithm is interpolated: those that
+    /// are free for it, where the rest of the tolerance suffices for the logarithm but not for the highlight itself. `chord` is
+    /// the rounding error of |r - o|, and the fields are n, l and o.
+    #[inline(always)]
+    fn highlight_error<S: Simd>(
+        &self,
+        gloss: &Gloss,
+        fields: [&Field<S>; 3],
+        reflection: Reflection<S>,
+        chord: f64x4<S>,
+        [shines, is_free]: [mask64x4<S>; 2],
+        rest: f64x4<S>,
+    ) -> (f64x4<S>, mask64x4<S>) {
+        let power = bound::power(gloss.shininess, reflection.most);
+        // A highlight that is left out errs by its largest value.
+        let (mut error, mut bent) = (power, shines & is_free);
+        if shines.any_true() {
+            let drawn = bound::highlight_error(gloss, fields, reflection, power);
+            error = shines.select(drawn, power);
+            bent &= (error * self.most[1]).simd_gt(rest);
         }
-        self.by_pixel = face.towards(position, light.position - surface.centre);
-        [self.diffuse, self.specular] = coefficients.map(|levels| levels.as_vec3().to_array());
+        if bent.any_true() {
+            let drawn = bound::logarithm_error(gloss, fields, reflection, power, chord);
+            bent &= (drawn * self.most[1]).simd_lt(rest);
+            error = bent.select(drawn, error);
+        }
+        (error * self.most[1], bent)
     }
 }
 
-/// A face of an object, its lights and its normals; and the four squares of it that were prepared last.
+/// A face of an object, its lights and its normals; and the squares of it that were prepared last.
 pub struct Phong<'a> {
     pub face: &'a Face<'a>,
     pub surface: Surface<'a>,
@@ -114,7 +127,13 @@ impl<'a> Phong<'a> {
         // Lights are overwritten in place. To copy new ones takes 2 % of the time of many small cuboids.
         lights.resize(points.len(), FaceLight::default());
         for (light, point) in lights.iter_mut().zip(points) {
-            light.set(face, &surface, point);
+            let coefficients = surface.coefficients(point);
+            light.most = coefficients.map(DVec3::max_element);
+            if light.most != [0.0; 2] {
+                let from_eye = point.position - face.rays.lens.eye;
+                light.by_pixel = face.towards(from_eye, point.position - surface.centre);
+                [light.diffuse, light.specular] = coefficients.map(|it| it.as_vec3().to_array());
+            }
         }
         lights.retain(|light| light.most != [0.0; 2]);
         Phong {
@@ -145,27 +164,21 @@ impl<'a> Phong<'a> {
         if !interpolate || !rest.simd_gt(0.0).any_true() {
             return None;
         }
-        let zero = f64x4::splat(simd, 0.0);
         let sample = inlined!(|xy| self.levels(simd, LaneLayout::Nodes, xy));
         let terms = sampled(simd, sample);
-        let (mut factors, mut highlights) = ([zero; 3], 0);
+        let (mut factors, mut logarithms) = ([[0.0; 3]; 4], 0);
         for light in self.lights.iter() {
-            for (set, levels) in [
-                (light.crosses, light.diffuse),
-                (light.logarithms, light.specular),
-            ] {
-                if set == 0 {
-                    continue;
-                }
-                let set = mask64x4::from_bitmask(simd, set);
-                for channel in 0..3 {
-                    let levels = f64x4::splat(simd, f64::from(levels[channel]));
-                    factors[channel] += set.select(levels, zero);
-                }
+            for square in (0..4).filter(|square| has(light.fourth, *square)) {
+                let shines = has(light.shines, square);
+                factors[square] = if shines {
+                    light.specular
+                } else {
+                    light.diffuse
+                };
             }
-            highlights |= light.logarithms;
+            logarithms |= light.fourth & light.shines;
         }
-        Some(Interpolant::new(terms, factors, highlights, rest))
+        Some(Interpolant::new(terms, factors, logarithms, rest))
     }
 
     /// Whether f32 has the signs of n.l and s at all pixels of a square, wherever a highlight depends on them.
@@ -174,93 +187,67 @@ impl<'a> Phong<'a> {
             .all(|light| light.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
-    /// Classifies the lights on four squares. Returns what remains of the tolerance on each square after the errors of
-    /// interpolation, of missing highlights and of samples, and at most 0 where an error has no bound.
+    /// Classifies the lights. Returns what remains of the tolerance on each square after the errors of interpolation, of missing
+    /// highlights and of samples, and at most 0 where an error has no bound. The compiler removes these errors where `interpolate`
+    /// is false.
     #[inline(always)]
     fn classify<S: Simd>(&mut self, extents: &Extents<S>, interpolate: bool) -> f64x4<S> {
-        let w = extents.affine(&self.face.w);
-        let least_w = w.centre - w.dx.abs() - w.dy.abs();
+        let w = extents.affine(&self.face.plane.w);
         let simd = w.centre.token();
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
-        let [zero, one] = [splat(0.0), splat(1.0)];
-        let none = mask64x4::splat(simd, false);
+        let (zero, none) = (splat(0.0), mask64x4::splat(simd, false));
         let normal = Field::new(&self.normal_by_pixel, extents);
         let eye = Field::new(&self.face.rays.to_eye, extents);
+        self.normal_by_square = normal.single();
+        self.eye_by_square = eye.single();
         // A square with pixels that may be clamped to the face is not interpolated.
+        let least_w = w.centre - w.dx.abs() - w.dy.abs();
         let steady = least_w.simd_gt(self.face.least_steady().max(0.0));
         let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
         let mut rest = splat(self.tolerance);
-        let ambient = self.surface.ambient().max_element();
-        let mut rounding = Rounding::new(&normal, &eye, ambient);
+        let mut rounding = Rounding::new(&normal, &eye, self.surface.ambient().max_element());
         let (mut left_out, mut has_fourth) = (zero, none);
-        let large = extents.half[0]
-            .max(extents.half[1])
-            .simd_gt(MIN_SIDE as f64 / 2.0);
-        self.normal_by_square = normal.single();
-        self.eye_by_square = eye.single();
         self.shines = 0;
         for light in self.lights.iter_mut() {
             let to_light = Field::new(&light.by_pixel, extents);
+            let fields = [&normal, &to_light, &eye];
             let cosine_rounding = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::facing(&normal, &to_light, cosine_rounding * U);
-            let [diffuse, specular] = [splat(light.most[0]), splat(light.most[1])];
-            let [mut shines, mut crosses, mut logarithmic] = [none; 3];
-            let mut doubt = zero;
-            rounding.add(dark.select(zero, diffuse), cosine_rounding);
-            if interpolate {
-                let error = bound::cosine_error(&normal, &to_light) * diffuse;
-                rest -= dark.select(zero, error);
-            }
+            let [mut shines, mut fourth] = [none; 2];
+            rounding.add(dark.select(zero, splat(light.most[0])), cosine_rounding);
+            let error = bound::cosine_error(&normal, &to_light) * light.most[0];
+            rest -= dark.select(zero, error);
             if light.most[1] > 0.0 {
-                let reflection = bound::reflection(&normal, &to_light, &eye, cosine);
+                let reflection = bound::reflection(fields, cosine);
                 shines = reflection.most.simd_gt(self.gloss.drawn_above) & !dark;
                 left_out += (shines | dark).select(zero, splat(self.gloss.faint));
                 let chord = rounding.chord(&to_light);
-                let propagated = self.gloss.propagated(chord);
-                rounding.add(shines.select(specular, zero), propagated + POWER_ERROR);
-                doubt = (lit | !shines).select(zero, cosine_rounding * U);
-                if interpolate {
-                    // A highlight that is left out errs by its largest value.
-                    let power = bound::power(self.gloss.shininess, reflection.most);
-                    let mut error = power;
-                    if shines.any_true() {
-                        let (gloss, fields) = (self.gloss, [&normal, &to_light, &eye]);
-                        let drawn = bound::highlight_error(gloss, fields, reflection, power);
-                        error = shines.select(drawn, power);
-                        let bend = large.select(splat(QUARTERS_BEND), one);
-                        logarithmic =
-                            shines & lit & !has_fourth & (error * specular).simd_gt(rest * bend);
-                        if logarithmic.any_true() {
-                            let drawn =
-                                bound::logarithm_error(gloss, fields, reflection, power, chord);
-                            logarithmic &= (drawn * specular).simd_lt(rest);
-                            error = logarithmic.select(drawn, error);
-                            has_fourth |= logarithmic;
-                        }
-                    }
-                    rest -= dark.select(zero, error * specular);
-                }
+                let error = self.gloss.propagated(chord) + POWER_ERROR;
+                rounding.add(shines.select(splat(light.most[1]), zero), error);
+                let known = [shines, lit & !has_fourth];
+                let (error, bent) =
+                    light.highlight_error(self.gloss, fields, reflection, chord, known, rest);
+                rest -= dark.select(zero, error);
+                fourth = bent;
             }
-            if interpolate {
-                // A polynomial may carry the kink max(0, n.l) of one light. The highlight of that light must be left out: it
-                // jumps at n.l = 0, and no polynomial follows a jump.
-                let adds_nothing = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-                let is_decided = lit | dark | adds_nothing;
-                crosses = !(is_decided | shines | has_fourth);
-                has_fourth |= crosses;
-                bounded &= to_light.is_direction_bounded() & (is_decided | crosses);
-            }
+            // A polynomial may carry the kink max(0, n.l) of one light. The highlight of that light must be left out: it jumps at
+            // n.l = 0, and no polynomial follows a jump.
+            let adds_nothing = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
+            let is_decided = lit | dark | adds_nothing;
+            fourth |= !(is_decided | shines | has_fourth);
+            has_fourth |= fourth;
+            bounded &= to_light.is_direction_bounded() & (is_decided | fourth);
             light.reaches = (!dark).to_bitmask();
             light.shines = shines.to_bitmask();
-            light.crosses = crosses.to_bitmask();
-            light.logarithms = logarithmic.to_bitmask();
+            light.fourth = if interpolate { fourth.to_bitmask() } else { 0 };
             light.by_square = to_light.single();
+            let doubt = (lit | !shines).select(zero, cosine_rounding * U);
             light.doubt = four!(|square| doubt.as_array()[square] as f32);
             self.shines |= light.shines;
         }
-        let rounding = rounding.levels();
+        let rounding = rounding.total();
         self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
-        bounded.select(rest - rounding * AMPLIFICATION, -one)
+        bounded.select(rest - rounding * AMPLIFICATION, splat(-1.0))
     }
 
     /// The levels at points of squares, x and y from -1 to 1; and at nodes the fourth channel, whose light is left out of them.
@@ -281,19 +268,24 @@ impl<'a> Phong<'a> {
         };
         let [red, green, blue] = three!(|channel| f32x16::splat(simd, self.ambient[channel]));
         let mut levels = [red, green, blue, zero];
+        // At nodes, one light of a square may be the fourth channel.
+        let fourth = |light: &FaceLight| match at {
+            LaneLayout::Nodes => light.fourth,
+            LaneLayout::Pixels(_) => 0,
+        };
         for light in self.lights.iter().filter(|light| at.any(light.reaches)) {
             let l = vector(&light.by_square);
             let inverse = 1.0 / (n2 * dot(&l, &l)).sqrt();
             let cosine = dot(&n, &l) * inverse;
+            let [kinks, logarithms] = [fourth(light) & !light.shines, fourth(light) & light.shines];
             if light.most[0] > 0.0 {
                 let lit = cosine.max(zero);
-                let (diffuse, mut set) = (light.diffuse, light.reaches);
-                if let LaneLayout::Nodes = at {
-                    set &= !light.crosses;
-                    levels[3] += cosine * at.within(simd, light.crosses, 1.0);
+                if kinks != 0 {
+                    levels[FOURTH] += cosine * at.within(simd, kinks, 1.0);
                 }
+                let set = light.reaches & !kinks;
                 for channel in 0..3 {
-                    levels[channel] += lit * at.within(simd, set, diffuse[channel]);
+                    levels[channel] += lit * at.within(simd, set, light.diffuse[channel]);
                 }
             }
             if at.any(light.shines) {
@@ -302,14 +294,11 @@ impl<'a> Phong<'a> {
                 let one_minus_cos = dot(&e, &e) * 0.5;
                 let power = specular::power(self.gloss.shininess, one_minus_cos);
                 let power = cosine.simd_gt(zero).select(power, zero);
-                let mut set = light.shines;
-                if let LaneLayout::Nodes = at
-                    && light.logarithms != 0
-                {
-                    set &= !light.logarithms;
+                if logarithms != 0 {
                     let exponent = specular::exponent(self.gloss.shininess, one_minus_cos);
-                    levels[3] += exponent * at.within(simd, light.logarithms, 1.0);
+                    levels[FOURTH] += exponent * at.within(simd, logarithms, 1.0);
                 }
+                let set = light.shines & !logarithms;
                 for channel in 0..3 {
                     levels[channel] += power * at.within(simd, set, light.specular[channel]);
                 }

@@ -15,7 +15,7 @@ pub const COSINE: f64 = 13.0;
 /// The error of |r - o|, in roundings: `proofs/chord.g`.
 pub const CHORD: f64 = 50.0;
 
-/// The rounding errors of the levels at a pixel or node of four squares, in units of U. Rows of polynomials are counted in
+/// The rounding errors of the levels at a pixel or node, in units of U. Rows of polynomials are counted in
 /// [`super::interpolation`].
 ///
 /// Let V = x a + (y b + c) with |c| = 1 and |x a| + |y b| <= r. The error of V is at most delta of the table. The error of
@@ -27,7 +27,7 @@ pub const CHORD: f64 = 50.0;
 ///   x, y                        2 r         1 / half extent, and its product with the distance in pixels; of a node one
 ///   products                    r           once each
 ///   sums                        2 + 2 r     once each, at the size of the sum, at most 1 + r
-///   delta                       3 + 6 r     in all; over the least length, the error of the direction of V
+///   delta                       3 + 6 r     the error of V; divided by the least |V| it is the error of V's direction
 /// ```
 /// The operations that follow:
 ///
@@ -79,19 +79,19 @@ impl<S: Simd> Rounding<S> {
         self.normal * 2.0 + light.direction_rounding() + self.eye + CHORD
     }
 
-    /// Adds a term of at most these levels, whose factor of at most 1 has this error.
+    /// Adds a term: a light of this strength, in levels, times a factor of at most 1 that has this error.
     #[inline(always)]
-    pub fn add(&mut self, levels: f64x4<S>, error: f64x4<S>) {
-        let zero = f64x4::splat(levels.token(), 0.0);
-        let any = levels.simd_gt(zero);
-        self.error += any.select(levels * error, zero);
-        self.largest += levels;
+    pub fn add(&mut self, strength: f64x4<S>, error: f64x4<S>) {
+        let zero = f64x4::splat(strength.token(), 0.0);
+        let any = strength.simd_gt(zero);
+        self.error += any.select(strength * error, zero);
+        self.largest += strength;
         self.terms += any.select(zero + 1.0, zero);
     }
 
-    /// A bound in levels.
+    /// A bound on the error of the sum, in levels.
     #[inline(always)]
-    pub fn levels(&self) -> f64x4<S> {
+    pub fn total(&self) -> f64x4<S> {
         (self.error + self.largest * (self.terms + 5.0)) * U
     }
 }
@@ -271,7 +271,7 @@ mod tests {
             }
             let own = terms.iter().sum::<f64>() * one(count.cosine(&steady)) * U;
             // To f32, and on to the display of the next float.
-            (sum.error + 3.0 * sum.value) * U / (one(count.levels()) - own)
+            (sum.error + 3.0 * sum.value) * U / (one(count.total()) - own)
         };
         let bright = largest((500.0..1000.0, terms.clone()), share);
         assert_covers("a bright ambient light", bright, 0.8);

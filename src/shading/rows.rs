@@ -5,9 +5,10 @@ use fearless_simd::{Simd, f32x16, u32x16};
 
 use super::SquareKind;
 use super::display::display;
+use super::interpolation::{FOURTH, SquareColor};
 use super::specular::exp2;
 use super::square::{MAX_SIDE, Square};
-use crate::simd::{three, two};
+use crate::simd::{four, three, two};
 
 /// The colours of a square, evaluated in sixteen columns at a time.
 pub trait Rows<S: Simd> {
@@ -52,9 +53,9 @@ pub struct Ramp<S: Simd> {
 }
 
 impl<S: Simd> Ramp<S> {
-    /// `color` by channel and power of y and of x, in pixels from a square's middle.
+    /// `color` is in pixels from the square's middle.
     #[inline(always)]
-    pub fn new(simd: S, color: &[[[f64; 3]; 3]; 4], square: &Square) -> Self {
+    pub fn new(simd: S, color: &SquareColor<f64>, square: &Square) -> Self {
         let [left, top] = square.first();
         let mut starts = [[0; MAX_SIDE]; 2];
         for first in (0..square.side).step_by(16) {
@@ -115,8 +116,7 @@ impl<S: Simd> Rows<S> for Ramp<S> {
 
 /// A biquadratic colour, and max(0, n.l) or s^rho of one light.
 pub struct Curve<S: Simd> {
-    /// By power of y and of x.
-    color: [[[f32; 3]; 3]; 4],
+    color: SquareColor<f32>,
     /// In sixteen columns: by power of y.
     terms: [[f32x16<S>; 3]; 4],
     /// The square's first pixel from the middle, in pixels.
@@ -131,24 +131,21 @@ pub struct Curve<S: Simd> {
 }
 
 impl<S: Simd> Curve<S> {
-    /// `color` by channel, n.l or log2(s^rho) last, and power of y and of x, in pixels from a square's middle.
+    /// `color` is in pixels from the square's middle.
     #[inline(always)]
     pub fn new(
         simd: S,
-        color: &[[[f64; 3]; 3]; 4],
+        mut color: SquareColor<f64>,
         square: &Square,
         [linear, fixed]: [bool; 2],
         kind: SquareKind,
         factors: [f32; 3],
     ) -> Self {
-        let mut single = [[[0.0; 3]; 3]; 4];
-        for channel in 0..4 {
-            let bias = if fixed && channel < 3 { BIAS } else { 0.0 };
-            single[channel] = three!(|j| three!(|i| color[channel][j][i] as f32));
-            single[channel][0][0] = (color[channel][0][0] + bias) as f32;
+        for channel in &mut color[..FOURTH] {
+            channel[0][0] += if fixed { BIAS } else { 0.0 };
         }
         Curve {
-            color: single,
+            color: four!(|channel| three!(|j| three!(|i| color[channel][j][i] as f32))),
             terms: [[f32x16::splat(simd, 0.0); 3]; 4],
             first: square.first().map(|first| first as f32),
             linear,
@@ -177,10 +174,10 @@ impl<S: Simd> Curve<S> {
         };
         let term = match self.kind {
             SquareKind::Terminator => {
-                let cosine = self.at(row, 3);
+                let cosine = self.at(row, FOURTH);
                 cosine.max(f32x16::splat(cosine.token(), 0.0))
             }
-            SquareKind::Highlight => exp2(self.at(row, 3)),
+            SquareKind::Highlight => exp2(self.at(row, FOURTH)),
             _ => return levels,
         };
         let most = f32x16::splat(term.token(), most);

@@ -34,19 +34,9 @@ impl Shader<'_> {
         extents: &Extents<S>,
         interpolate: bool,
     ) -> Option<Interpolant<S>> {
-        // The calls with a constant `false` are compiled without bounds and samples, which saves 5 % of the instructions of
-        // many small faces.
         match self {
-            Shader::Gouraud(gouraud) if interpolate => {
-                outlined!(simd, gouraud.prepare(simd, extents, true))
-            }
-            Shader::Gouraud(gouraud) => {
-                outlined!(simd, gouraud.prepare(simd, extents, false))
-            }
-            Shader::Phong(phong) if interpolate => {
-                outlined!(simd, phong.prepare(simd, extents, true))
-            }
-            Shader::Phong(phong) => outlined!(simd, phong.prepare(simd, extents, false)),
+            Shader::Gouraud(gouraud) => gouraud.prepare(simd, extents, interpolate),
+            Shader::Phong(phong) => phong.prepare(simd, extents, interpolate),
             Shader::UnitVectors(_) => None,
         }
     }
@@ -143,9 +133,8 @@ impl Shader<'_> {
 /// The memory of a thread, reused for each face and strip, and the counts of all its work.
 #[derive(Debug, Default)]
 pub struct Scratch {
-    /// The lights that reach the face; for [`UnitVectors`] the directions from its corners to all lights.
+    /// The lights that reach the face.
     pub lights: Vec<FaceLight>,
-    pub to_lights: Vec<[DVec3; 4]>,
     pub pixels: Pixels,
     pub counts: Counts,
     /// One bit a pixel of a strip: covered so far.

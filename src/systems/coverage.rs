@@ -76,10 +76,8 @@ fn narrow(
     let divisor = 256 * rise;
     let start = (x - 128) * rise + run * (256 * first + 128 - top) - 1;
     let (mut boundary, mut rest) = (start.div_euclid(divisor) + 1, start.rem_euclid(divisor));
-    let (step, step_rest) = (
-        (256 * run).div_euclid(divisor),
-        (256 * run).rem_euclid(divisor),
-    );
+    let step = 256 * run;
+    let (step, step_rest) = (step.div_euclid(divisor), step.rem_euclid(divisor));
     for old in &mut ends[first as usize - rows.start..end as usize - rows.start] {
         *old = nearer(*old, boundary.clamp(0, width as i64) as i32);
         boundary += step;

@@ -9,8 +9,8 @@ use glam::DVec3;
 use hecs::World;
 
 use crate::components::{
-    Illumination, Lens, Light, LightKind, Material, Mesh, Normals, PointLight, Projection,
-    ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
+    Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projection, ShadingMode,
+    Transform, VertexColors, View, WorldTransform, unit,
 };
 use crate::frame::Frame;
 use crate::shading::Surface;
@@ -33,7 +33,15 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             continue;
         }
         let surface = Surface::new(material, &frame.list.illumination, transform.position);
-        colors.0 = vertex_colors(&surface, transform, mesh, normals, frame.lens());
+        let lens = frame.lens();
+        colors.0 = std::array::from_fn(|corner| {
+            let offset = transform.axes * mesh.corners[corner];
+            let to_eye = match lens.projection {
+                Projection::Perspective => unit(lens.eye - transform.position - offset),
+                Projection::Orthographic => -lens.axes[2],
+            };
+            surface.levels(offset, normals.0[corner], to_eye)
+        });
         frame.counts.model_evaluations += 8;
         frame.counts.specular_evaluations += 8 * surface.powers() as u64;
     }
@@ -50,9 +58,9 @@ fn gather<'a>(
     illumination.points.clear();
     for (transform, light) in lights.filter(|(_, light)| light.on) {
         let (position, diffuse, specular) = match light.kind {
-            LightKind::Ambient => (DVec3::INFINITY, light.levels(), DVec3::ZERO),
-            LightKind::Diffuse => (transform.position, light.levels(), DVec3::ZERO),
-            LightKind::Specular => (transform.position, DVec3::ZERO, light.levels()),
+            LightKind::Ambient => (DVec3::INFINITY, light.strength(), DVec3::ZERO),
+            LightKind::Diffuse => (transform.position, light.strength(), DVec3::ZERO),
+            LightKind::Specular => (transform.position, DVec3::ZERO, light.strength()),
         };
         illumination.points.push(PointLight {
             position,
@@ -76,24 +84,6 @@ fn gather<'a>(
     });
     let ambient = points.pop_if(|last| last.position == DVec3::INFINITY);
     illumination.ambient = ambient.map_or(DVec3::ZERO, |all| all.diffuse);
-}
-
-/// The model at the corners, in levels, unclamped.
-fn vertex_colors(
-    surface: &Surface,
-    transform: &WorldTransform,
-    mesh: &Mesh,
-    normals: &Normals,
-    lens: &Lens,
-) -> [DVec3; 8] {
-    std::array::from_fn(|corner| {
-        let offset = transform.axes * mesh.corners[corner];
-        let to_eye = match lens.projection {
-            Projection::Perspective => unit(lens.eye - transform.position - offset),
-            Projection::Orthographic => -lens.axes[2],
-        };
-        surface.levels(offset, normals.0[corner], to_eye)
-    })
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8, mask32x8, mask64x8, u32x8};
 use hecs::World;
 
-use crate::components::{Lens, TriangleId, View};
+use crate::components::{TriangleId, View};
 use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::Scratch;
 use crate::shading::affine::Affine;
@@ -73,14 +73,15 @@ fn compare<S: Simd>(
     if several {
         scratch.covered.resize(rows.len() * words, 0);
     }
-    let overlaps = list.strip(strip).any(|piece| {
-        let spans = list.spans(piece);
-        spans.within(rows).any(|(row, span)| {
+    let mut overlaps = false;
+    for piece in list.strip(strip) {
+        for (row, span) in list.spans(piece).within(rows) {
             band.will_draw(row, &span, !several);
             let first = (row - rows.start) * words;
-            several && set_bits(&mut scratch.covered[first..first + words], span)
-        })
-    });
+            overlaps =
+                overlaps || several && set_bits(&mut scratch.covered[first..first + words], span);
+        }
+    }
     band.clear(rows.clone(), overlaps);
     if overlaps {
         let depths = &mut scratch.depths;
@@ -88,23 +89,18 @@ fn compare<S: Simd>(
     } else if band.levels.is_empty() {
         return;
     }
-    let Lens {
-        middle, projection, ..
-    } = list.rays.lens;
+    let lens = &list.rays.lens;
     for piece in list.strip(strip) {
-        let nearness = piece.plane.nearness(projection);
+        let nearness = piece.plane.nearness(lens.projection);
         for (row, span) in list.spans(piece).within(rows) {
             let pixels = band.indices(row, &span);
             let ids = &mut band.triangles[pixels];
             if overlaps {
-                let place = [
-                    span.start as f64 + 0.5 - middle[0],
-                    row as f64 + 0.5 - middle[1],
-                ];
+                let x = span.start as f64 + 0.5 - lens.middle[0];
+                let y = row as f64 + 0.5 - lens.middle[1];
                 let start = (row - rows.start) * band.width;
                 let depths = &mut scratch.depths[start + span.start..start + span.end];
-                write_nearest(simd, piece, &nearness, place, depths, ids);
-                band.drawn[row - band.rows.start].drew(&span);
+                write_nearest(simd, piece, &nearness, [x, y], depths, ids);
             } else {
                 ids.fill(piece.id);
             }
@@ -170,11 +166,8 @@ fn write_nearest<S: Simd>(
         let new = start + dx * x;
         let new = if new > range[0] { new } else { range[0] };
         let new = if new < range[1] { new } else { range[1] };
-        let depth = if *id == TriangleId::NONE {
-            FARTHEST
-        } else {
-            *old
-        };
+        let is_free = *id == TriangleId::NONE;
+        let depth = if is_free { FARTHEST } else { *old };
         if new - depth > DEPTH_TIE * depth.abs() {
             (*old, *id) = (new, piece.id);
         }

@@ -8,15 +8,10 @@ use crate::frame::Frame;
 /// Overwrites the [`WorldTransform`] of every cuboid.
 pub fn run(world: &mut World, view: &View, _frame: &mut Frame) {
     for (transform, place) in world.query_mut::<(&Transform, &mut WorldTransform)>() {
-        *place = world_transform(transform, view.turned);
-    }
-}
-
-/// The position and axes of a cuboid that has turned by this many degrees.
-pub fn world_transform(transform: &Transform, turned: u32) -> WorldTransform {
-    let turned = transform.turned(turned);
-    WorldTransform {
-        position: turned.position,
-        axes: turned.axes(),
+        let turned = transform.turned(view.turned);
+        *place = WorldTransform {
+            position: turned.position,
+            axes: turned.axes(),
+        };
     }
 }

@@ -10,7 +10,7 @@ use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
 use shadetrade::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
 use shadetrade::metrics::pixel_error;
-use shadetrade::shading::{EXACT, SquareKind};
+use shadetrade::shading::{LIMIT_0, SquareKind};
 use shadetrade::simd::{NAMES, name, named};
 use shadetrade::systems;
 
@@ -28,7 +28,7 @@ fn shares(world: &mut World, view: &View) -> Vec<(SquareKind, f64)> {
     let limit = if view.tolerance > 0.0 {
         view.tolerance
     } else {
-        EXACT
+        LIMIT_0
     };
     let [frame, shown] = [Keep::Levels, Keep::Display].map(|keep| draw(world, view, keep));
     let truth = truth(world, view);

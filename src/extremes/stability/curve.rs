@@ -6,14 +6,14 @@ use super::sweeps::Sweep;
 use crate::prove::Verdict;
 use crate::report::tables::{aligned, wrapped};
 use crate::report::words::scientific;
-use crate::shading::EXACT;
+use crate::shading::LIMIT_0;
 
 /// The evaluations of Phong's model that are compared, and the error in levels that each is to keep.
 pub const EVALUATIONS: [(&str, f64); 4] = [
-    ("textbook-f32", EXACT),
-    ("phong-0", EXACT),
+    ("textbook-f32", LIMIT_0),
+    ("phong-0", LIMIT_0),
     ("phong-0.5", 0.5),
-    ("reference-f64", EXACT),
+    ("reference-f64", LIMIT_0),
 ];
 
 /// The errors of an evaluation over the range of a number.

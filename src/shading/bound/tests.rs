@@ -165,7 +165,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
         };
         let rounding = 1e-6;
         let (cosine, lit, dark) = facing(&n, &l, Number::splat(token(), rounding));
-        let range = reflection(&n, &l, &o, cosine);
+        let range = reflection([&n, &l, &o], cosine);
         let [most, least, sine] = [range.most, range.least, range.sine].map(one);
         for row in 0..=6 {
             for column in 0..=6 {

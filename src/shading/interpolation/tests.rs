@@ -73,7 +73,7 @@ fn judge(
     let lanes = |number| f64x4::splat(simd, number);
     let interpolant = Interpolant::new(
         color.map(|nine| nine.map(|row| row.map(lanes))),
-        fourth.map_or([0.0; 3], |it| it.1).map(lanes),
+        [fourth.map_or([0.0; 3], |it| it.1.map(|factor| factor as f32)); 4],
         fourth.map_or(0, |it| {
             if it.0 == SquareKind::Highlight {
                 0b1111
@@ -243,7 +243,7 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
             let mut kinds = [0; 3];
             for step in 1..=120 {
                 let rest = f64::from(step) / 100.0;
-                let interpolant = Interpolant::new(terms, [number(0.0); 3], 0, number(rest));
+                let interpolant = Interpolant::new(terms, [[0.0; 3]; 4], 0, number(rest));
                 let kind = interpolant.kinds[0].expect("a rest of the tolerance");
                 kinds[kind as usize] += 1;
                 // Half extents of a pixel.

@@ -39,9 +39,10 @@ impl DrawList {
                 continue;
             }
             let mode = view.mode(*own);
-            let gloss = match mode {
-                ShadingMode::Phong => self.gloss(material, transform.position),
-                _ => 0,
+            let surface = Surface::new(material, &self.illumination, transform.position);
+            let gloss = match self.objects.last() {
+                Some(last) if last.material == *material => last.gloss,
+                _ => Gloss::new(&surface, self.tolerance),
             };
             self.objects.push(Object {
                 material: *material,
@@ -72,7 +73,8 @@ impl DrawList {
                 continue;
             }
             let start = self.from.len();
-            let row = cover(simd, self, polygon, size);
+            let small = outlined!(simd, cover_small(simd, self, polygon, size));
+            let row = small.unwrap_or_else(|| scan(polygon, size, &mut self.from, &mut self.to));
             if self.from.len() > start {
                 self.pieces.push(Piece {
                     id: TriangleId::new(cuboid, 2 * index),
@@ -96,25 +98,10 @@ impl DrawList {
             Projection::Orthographic => [-farthest, -nearest],
         }
     }
-
-    /// The index in `glosses` of the constants of a material's highlights.
-    fn gloss(&mut self, material: &Material, centre: DVec3) -> usize {
-        let last = self.glosses.last();
-        if last.is_none_or(|gloss| gloss.material != *material) {
-            let surface = Surface::new(material, &self.illumination, centre);
-            self.glosses.push(Gloss::new(&surface, self.tolerance));
-        }
-        self.glosses.len() - 1
-    }
 }
 
-/// Lists the pixels that a face covers. Returns the row of the picture of the first span.
-fn cover<S: Simd>(simd: S, list: &mut DrawList, polygon: &Polygon, size: [usize; 2]) -> usize {
-    let small = outlined!(simd, cover_small(simd, list, polygon, size));
-    small.unwrap_or_else(|| scan(polygon, size, &mut list.from, &mut list.to))
-}
-
-/// The same for a convex face within a small square of the picture.
+/// Lists the pixels that a convex face within a small square of the picture covers, as [`scan`] does. Returns the row of the
+/// first span.
 #[inline(always)]
 fn cover_small<S: Simd>(
     simd: S,

@@ -4,7 +4,6 @@
 //! band, so the choice does not depend on the number of threads.
 
 use fearless_simd::{Level, Simd};
-use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
@@ -28,7 +27,6 @@ impl DrawList {
     pub fn shade(&self, level: Level, piece: &Piece, band: &mut Band, scratch: &mut Scratch) {
         let Scratch {
             lights,
-            to_lights,
             pixels: listed,
             counts,
             ..
@@ -51,18 +49,12 @@ impl DrawList {
             }
         }
         let object = &self.objects[piece.object];
-        let face = Face::new(
-            piece.id.face(),
-            &piece.plane,
-            &object.transform,
-            object.half,
-            &self.rays,
-        );
-        let shader = &mut self.shader(object, &face, lights, to_lights);
+        let face = Face::new(&piece.plane, &object.transform, object.half, &self.rays);
+        let shader = &mut self.shader(object, &face, lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
-                shader.prepare(simd, &extents, false);
+                outlined!(simd, shader.prepare(simd, &extents, false));
                 let kind = canvas.draw_listed(simd, shader, 0, square);
                 canvas.counts.add(kind, canvas.strips(), canvas.listed.count);
                 canvas.mark(square, kind, &face);
@@ -77,7 +69,6 @@ impl DrawList {
         object: &'a Object,
         face: &'a Face,
         lights: &'a mut Vec<FaceLight>,
-        to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Shader<'a> {
         let (material, centre) = (&object.material, object.transform.position);
         let surface = Surface::new(material, &self.illumination, centre);
@@ -86,12 +77,18 @@ impl DrawList {
         match object.mode {
             ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),
             ShadingMode::Phong => {
-                let gloss = &self.glosses[object.gloss];
-                let phong = Phong::new(face, normals(), surface, gloss, lights, tolerance);
-                Shader::Phong(phong)
+                let gloss = &object.gloss;
+                Shader::Phong(Phong::new(
+                    face,
+                    normals(),
+                    surface,
+                    gloss,
+                    lights,
+                    tolerance,
+                ))
             }
             ShadingMode::UnitVectors => {
-                Shader::UnitVectors(UnitVectors::new(face, &normals(), surface, to_lights))
+                Shader::UnitVectors(UnitVectors::new(face, &normals(), surface))
             }
         }
     }
@@ -129,7 +126,12 @@ impl Canvas<'_, '_> {
         let extents = Extents::new(simd, squares, &shader.face().rays.lens);
         let covered: usize = squares.iter().map(|square| square.covered).sum();
         let interpolate = self.tolerance > 0.0 && covered >= WORTHWHILE;
-        let interpolant = shader.prepare(simd, &extents, interpolate);
+        let interpolant = if interpolate {
+            outlined!(simd, shader.prepare(simd, &extents, true))
+        } else {
+            // Compiled without bounds and samples.
+            outlined!(simd, shader.prepare(simd, &extents, false))
+        };
         let mut cut = [false; 4];
         for (index, (square, seen)) in squares.iter().zip(seen).enumerate() {
             if seen == 0 {

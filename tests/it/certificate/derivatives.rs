@@ -193,7 +193,7 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
         }
         let none = normal.radius * 0.0;
         let (cosine, ..) = facing(&normal, &light, none);
-        let range = reflection(&normal, &light, &eye, cosine);
+        let range = reflection([&normal, &light, &eye], cosine);
         if range.least.as_array()[0] <= 0.0 {
             continue;
         }

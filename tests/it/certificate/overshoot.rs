@@ -66,11 +66,11 @@ proptest! {
         // Pixels as coarse as a face allows that is just steady at the edge.
         let fine = lens(1e-4);
         let rays = Rays::new(&fine);
-        let face = Face::new(2, &Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
+        let face = Face::new(&Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
         let Some([x, y]) = pixel(&fine, &face) else { return Ok(()) };
         let lens = lens(1e-4 * coarser * face.uvw.at(x, y).z / face.least_steady());
         let rays = Rays::new(&lens);
-        let face = Face::new(2, &Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
+        let face = Face::new(&Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
         let Some([x, y]) = pixel(&lens, &face) else { return Ok(()) };
         // Snapping moves a vertex, and so an edge, by at most 1/512 pixel.
         let place = face.uvw.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
@@ -99,11 +99,11 @@ proptest! {
             ..Lens::default()
         };
         let rays = Rays::new(&lens);
-        let face = Face::new(2, &Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
+        let face = Face::new(&Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
         let simd = baseline().expect("every machine has the baseline");
         let lanes = |place: [f64; 2]| place.map(|number| f64x4::splat(simd, number));
         let extents = Extents { middle: lanes(middle), half: lanes(half) };
-        let w = |x: f64, y: f64| face.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
+        let w = |x: f64, y: f64| face.plane.w.at(middle[0] + x * half[0], middle[1] + y * half[1]);
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
@@ -171,7 +171,6 @@ fn beside_a_sliver_a_pixel_shows_its_far_end_if_a_snap_reaches_it() {
             axes: DMat3::IDENTITY,
         };
         let face = Face::new(
-            2,
             &Plane::new(2, &place, DVec3::new(1.0, 1.0, 10.0), &rays),
             &place,
             DVec3::new(1.0, 1.0, 10.0),
