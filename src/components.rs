@@ -37,5 +37,5 @@ pub use self::transform::{Transform, WorldTransform};
 pub use self::vector::{length, unit};
 pub use self::view::View;
 pub use self::viewer::{
-    Background, Side, Tab, ViewMode, Viewer, active_camera, background, viewer, viewer_mut,
+    Background, Side, ViewMode, Viewer, active_camera, background, viewer, viewer_mut,
 };

@@ -60,6 +60,8 @@ pub struct Scene {
     pub path: Option<PathBuf>,
     /// The text of the scene; empty if it was spawned from a record.
     pub text: String,
+    /// The scene as it was read. Keys and options change the world alone.
+    pub record: Arc<SceneRecord>,
     /// The entities, spawned in file order.
     pub world: World,
     /// The steps, if it is a lesson.
@@ -117,6 +119,7 @@ impl Scene {
             name,
             path: None,
             text: String::new(),
+            record: Arc::new(record.clone()),
             world: record.spawn(),
             lesson: Arc::default(),
         }

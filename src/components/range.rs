@@ -26,6 +26,8 @@ pub type OrbitAngle = Within<{ (-180.0_f64).to_bits() }, { 180.0_f64.to_bits() }
 pub type Zoom = Within<{ 1e-200_f64.to_bits() }, { 1e200_f64.to_bits() }>;
 /// A share of a whole.
 pub type Share = Within<{ 0.0_f64.to_bits() }, { 1.0_f64.to_bits() }>;
+/// Heights of the picture from its middle: the largest picture is 16384 pixels wide and one high.
+pub type Offset = Within<{ (-8192.0_f64).to_bits() }, { 8192.0_f64.to_bits() }>;
 /// Milliseconds a frame.
 pub type Milliseconds = Within<{ 0.001_f64.to_bits() }, { 10_000.0_f64.to_bits() }>;
 
@@ -85,6 +87,13 @@ impl<const LEAST: u64, const MOST: u64> Within<LEAST, MOST> {
     /// Reads the number of an optional key.
     pub(crate) fn some<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
         Self::one(from).map(Some)
+    }
+
+    /// Reads the two numbers of an optional key.
+    pub(crate) fn some_two<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Option<[f64; 2]>, D::Error> {
+        array(from).map(|two: [Self; 2]| Some(two.map(|number| number.0)))
     }
 
     /// Reads the three numbers of an optional key.

@@ -1,12 +1,12 @@
-//! The viewer: one entity with the settings of the picture and of the window.
+//! The viewer: one entity with the settings of the picture.
 
 use glam::DVec3;
 use hecs::{Entity, Ref, RefMut, World};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
 use super::camera::{Camera, Projection};
 use super::entity::{Name, in_file_order};
-use super::range::{Milliseconds, Share, array};
+use super::range::{Milliseconds, Offset, Share, array};
 use super::surface::ShadingMode;
 
 /// The viewer, a component of one entity: the table `[view]` of a scene file.
@@ -36,12 +36,13 @@ pub struct Viewer {
     /// Degrees that all cuboids have turned about their own x axes, 0..360. Whole degrees from the scene's own angle: a full
     /// turn ends where it began, bit for bit.
     pub turned: u32,
-    /// The pixel that the inspector explains.
-    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "pixel")]
-    pub pixel: Option<[usize; 2]>,
-    /// The open tab of the window's inspector; `None` is folded.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub inspector: Option<Tab>,
+    /// The place that is explained, from the picture's middle, right and down, in heights of the picture. The field of view is
+    /// vertical, so it is the same place of the scene in pictures of any size.
+    #[serde(
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "Offset::some_two"
+    )]
+    pub pixel: Option<[f64; 2]>,
     /// Whether the cuboids keep turning. It is not part of a scene.
     #[serde(skip)]
     pub turns: bool,
@@ -57,6 +58,27 @@ impl Viewer {
     pub fn may_have(tolerance: f64) -> bool {
         tolerance == 0.0 || (Viewer::LEAST_TOLERANCE..=255.0).contains(&tolerance)
     }
+
+    /// The explained pixel of a picture of this size; `None` if its place lies outside.
+    pub fn pixel_in(&self, size: [usize; 2]) -> Option<[usize; 2]> {
+        let place = self.pixel?;
+        let pixel = [0, 1].map(|axis| {
+            let pixel = place[axis] * size[1] as f64 + size[axis] as f64 / 2.0;
+            (0.0..size[axis] as f64)
+                .contains(&pixel)
+                .then_some(pixel as usize)
+        });
+        Some([pixel[0]?, pixel[1]?])
+    }
+
+    /// Explains a pixel of a picture of this size.
+    pub fn set_pixel(&mut self, pixel: [usize; 2], size: [usize; 2]) {
+        self.pixel = Some([0, 1].map(|axis| {
+            let offset = pixel[axis] as f64 + 0.5 - size[axis] as f64 / 2.0;
+            // Short numbers for scene files: less than a hundredth of a pixel in the largest picture.
+            (offset / size[1] as f64 * 1e6).round() / 1e6
+        }));
+    }
 }
 
 impl Default for Viewer {
@@ -71,14 +93,9 @@ impl Default for Viewer {
             divider: 0.5,
             turned: 0,
             pixel: None,
-            inspector: None,
             turns: false,
         }
     }
-}
-
-fn pixel<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[usize; 2]>, D::Error> {
-    array(from).map(Some)
 }
 
 /// The colour of pixels without a cuboid, in levels; a component of the viewer's entity.
@@ -157,20 +174,6 @@ impl TryFrom<String> for Side {
             )
         })
     }
-}
-
-/// A page of the window's inspector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Tab {
-    /// The evaluation of the probed pixel.
-    Pixel,
-    /// Every number of the scene.
-    Scene,
-    /// The parts of the model that the picture requires.
-    Required,
-    /// The number of proven pixels.
-    Proof,
 }
 
 fn viewer_entity(world: &World) -> Entity {

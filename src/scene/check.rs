@@ -166,10 +166,6 @@ fn check_viewer(view: &Viewer, cameras: &[&str]) -> Result<(), Fault> {
     require(is_alone, "budget", budget, "either a budget or a tolerance")?;
     let expected = "a whole number of degrees from 0 to 359";
     require(view.turned < 360, "turned", view.turned, expected)?;
-    let pixel = view.pixel.unwrap_or_default();
-    let is_pixel = pixel.iter().all(|it| *it < MAX_SIDE);
-    let expected = "two whole numbers from 0 to 16383";
-    require(is_pixel, "pixel", pixel, expected)?;
     let camera = view.camera.as_deref();
     let is_known = camera.is_none_or(|name| cameras.contains(&name));
     let expected = format!("the name of a camera: {}", cameras.join(", "));

@@ -16,7 +16,7 @@ use super::export::{place, subject};
 use super::front;
 use super::measurement::{Measurement, Report};
 use crate::components::ShadingMode;
-use crate::report::chart::{self, Area, BLUE, FAINT, GREEN, ORANGE};
+use crate::report::chart::{self, Area, FAINT, GREEN, ORANGE, PURPLE};
 
 /// The least error with a place of its own, in levels.
 pub const FLOOR: f64 = 1e-3;
@@ -26,16 +26,17 @@ const ERRORS: Range<f64> = 5e-4..500.0;
 const SIZE: (u32, u32) = (960, 600);
 
 /// The place of a method: milliseconds of a frame, and levels.
-fn place_of(one: &Measurement) -> (f64, f64) {
+pub fn place_of(one: &Measurement) -> (f64, f64) {
     let error = one.largest_error().unwrap_or_default();
     (one.timing.median, error.max(FLOOR))
 }
 
+/// The hues of the window's chart, darker because the ground is white.
 fn color(mode: ShadingMode) -> RGBColor {
     match mode {
-        ShadingMode::Gouraud => BLUE,
-        ShadingMode::Phong => ORANGE,
-        ShadingMode::UnitVectors => GREEN,
+        ShadingMode::Gouraud => ORANGE,
+        ShadingMode::Phong => GREEN,
+        ShadingMode::UnitVectors => PURPLE,
     }
 }
 

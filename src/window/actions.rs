@@ -103,16 +103,15 @@ impl App {
             }
             Action::Rotate => self.rotate(),
             Action::Tab(tab) => {
-                let mut viewer = self.viewer_mut();
-                let is_open = viewer.inspector == Some(tab);
-                viewer.inspector = (!is_open).then_some(tab);
+                let is_open = self.desk.tab == Some(tab);
+                self.desk.tab = (!is_open).then_some(tab);
             }
             Action::Step(steps) => self.step_lesson(steps),
             Action::Undo => self.travel("undo", Undoer::undo),
             Action::Redo => self.travel("redo", Undoer::redo),
             Action::Save => self.save(false),
             Action::SaveAs => self.save(true),
-            Action::Panel => self.fold_panel(),
+            Action::Panel => self.desk.panel_folded ^= true,
             Action::Help => self.desk.help ^= true,
             Action::Screenshot => self.screenshot(),
             Action::Close => self.close(),
@@ -183,7 +182,7 @@ impl App {
     /// Moves the probed pixel within the picture; the first one is in the middle.
     fn step_probed(&mut self, steps: [i32; 2]) {
         let size = self.picture_size();
-        let before = self.viewer().pixel;
+        let before = self.pixel();
         let moved = |pixel: [usize; 2], axis: usize| {
             let moved = pixel[axis].saturating_add_signed(steps[axis] as isize);
             moved.min(size[axis] - 1)
@@ -207,15 +206,6 @@ impl App {
         self.say(format!("{verb}: {}", change(&present.0, &record)));
     }
 
-    /// Folds the panel, or opens it in the place of the inspector that hides it.
-    pub(super) fn fold_panel(&mut self) {
-        let is_hidden = !self.desk.has_both && self.viewer().inspector.is_some();
-        if is_hidden {
-            self.viewer_mut().inspector = None;
-        }
-        self.desk.panel_folded = !is_hidden && !self.desk.panel_folded;
-    }
-
     /// Closes the uppermost thing that can be closed.
     fn close(&mut self) {
         let desk = &mut self.desk;
@@ -223,10 +213,8 @@ impl App {
         if is_closed {
             return;
         }
-        let mut viewer = self.viewer_mut();
-        let is_closed = viewer.pixel.take().is_some() || viewer.inspector.take().is_some();
-        drop(viewer);
-        if !is_closed {
+        let had_pixel = self.viewer_mut().pixel.take().is_some();
+        if !had_pixel && (self.desk.has_room || self.desk.tab.take().is_none()) {
             self.say("Q quits");
         }
     }

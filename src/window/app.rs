@@ -20,6 +20,7 @@ use rayon::ThreadPool;
 use super::facts::{Facts, Question, Work, pool};
 use super::file::{INTERVAL, SceneFile};
 use super::history::{State, history};
+use super::inspector::Tab;
 use super::pictures::Pictures;
 use super::unsaved::Unsaved;
 use crate::components::{View, Viewer, viewer, viewer_mut};
@@ -86,8 +87,10 @@ pub type EntityPlace = (&'static str, usize);
 pub struct Desk {
     pub help: bool,
     pub panel_folded: bool,
-    /// Whether the panel and the inspector have room together. In a narrow window the inspector takes the panel's place.
-    pub has_both: bool,
+    /// Whether the inspector has a room of its own beside the picture.
+    pub has_room: bool,
+    /// The open tab of the inspector; `None` is folded.
+    pub tab: Option<Tab>,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
     /// Of the status line, and when it goes.
@@ -98,8 +101,6 @@ pub struct Desk {
     pub step: usize,
     /// The entity that the scene's tab shows.
     pub selected: Option<EntityPlace>,
-    /// The side of a wipe whose worst pixel is sought, 0 for the picture, until the errors are known.
-    pub sought: Option<usize>,
     /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.
     pub clicked: Option<[usize; 2]>,
 }
@@ -125,6 +126,7 @@ impl App {
         super::widgets::apply_style(&painter.context);
         let desk = Desk {
             panel_folded: drawing.size[0] < NARROW,
+            tab: state.view.pixel.map(|_| Tab::Pixel),
             ..Desk::default()
         };
         Ok(App {
@@ -222,7 +224,6 @@ impl App {
             })
         };
         let [begins, ends] = [true, false].map(is_gesture);
-        let is_sought = self.desk.sought.is_some();
         self.keep_state(begins);
         if begins {
             // The press may change the picture, and frames that are being timed would delay it.
@@ -249,9 +250,6 @@ impl App {
         // A budget may be held by another method now.
         self.outdate();
         self.draw()?;
-        // A tab that was opened in the last step has its room by now.
-        let is_found = is_sought && self.explain_sought();
-        let is_due = is_found || self.desk.sought.is_some() && self.facts.trade.is_current;
         self.ask();
         self.copy_picture(size);
         let commands = std::mem::take(&mut output.platform_output.commands);
@@ -265,7 +263,6 @@ impl App {
         let waits = [
             viewport.map(|it| it.repaint_delay),
             self.moved.map(|_| REST),
-            is_due.then_some(Duration::ZERO),
             self.desk.blinks.map(|_| TURN / 10),
             turns.then(|| self.next_degree.saturating_sub(now)),
             self.scene.path.as_ref().map(|_| INTERVAL),
@@ -300,7 +297,13 @@ impl App {
             return;
         }
         match record.check() {
-            Ok(()) => self.state = Arc::new(record),
+            Ok(()) => {
+                let pixel = record.view.pixel;
+                if pixel != self.state.view.pixel && self.desk.tab.is_none() {
+                    self.desk.tab = pixel.map(|_| Tab::Pixel);
+                }
+                self.state = Arc::new(record);
+            }
             Err(reason) => {
                 self.restore(&Arc::clone(&self.state));
                 self.say(reason.to_string());

@@ -12,12 +12,12 @@ use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points
 
 use super::app::App;
 use super::keys::{Action, caption};
-use super::widgets::{GOURAUD, PHONG, STALE, ink, mode_ink, rounded, short};
+use super::widgets::{GOURAUD, INK, PHONG, mode_ink, rounded, short};
 use crate::components::{ShadingMode, Side};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
-use crate::trade::plot::FLOOR;
+use crate::trade::plot::{FLOOR, place_of};
 use crate::trade::verdict::{UNSEEN, method_name, sentence};
 use crate::trade::{Measurement, front};
 
@@ -35,15 +35,14 @@ const MOST: f64 = 500.0;
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
 
-/// The place of a time in ms and of an error in levels on the axes, which are logarithmic. A clock that does not tell times
-/// apart gives 0.
-fn logarithms(time: f64, error: f64) -> [f64; 2] {
-    [time.max(1e-6).log10(), error.max(FLOOR).log10()]
+/// A time in ms and an error in levels on the axes, which are logarithmic. A clock that does not tell times apart gives 0.
+fn logarithms((time, error): (f64, f64)) -> [f64; 2] {
+    [time.max(1e-6).log10(), error.log10()]
 }
 
 /// The place of a method's dot.
 fn place(one: &Measurement) -> [f64; 2] {
-    logarithms(one.timing.median, one.largest_error().unwrap_or_default())
+    logarithms(place_of(one))
 }
 
 impl App {
@@ -65,7 +64,6 @@ impl App {
         caption.on_hover_text(CAPTION);
         let measured = self.facts.trade.value.iter().flatten().cloned();
         let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
-        let is_current = self.facts.trade.is_current;
         let mut axes = axes().width(ui.available_width() - BESIDE);
         if known.is_empty() {
             axes = axes.include_x(-1.0).include_x(1.0);
@@ -76,9 +74,9 @@ impl App {
             ui.visuals_mut().disabled_alpha = 1.0;
             ui.disable();
             axes.show(ui, |plot| {
-                draw(plot, &known, is_current);
+                draw(plot, &known);
                 if let Some(budget) = budget {
-                    let [time, _] = logarithms(budget, 1.0);
+                    let [time, _] = logarithms((budget, 1.0));
                     plot.vline(VLine::new("budget", time).color(Color32::WHITE));
                 }
             })
@@ -99,17 +97,15 @@ impl App {
             let at = shown.transform.position_from_point(&place);
             self.dot(ui, one, at);
             if Some(one.method) == method {
-                let width = if is_current { 2.0 } else { 1.0 };
-                ui.painter()
-                    .circle_stroke(at, RING, (width, Color32::WHITE));
+                let line = (2.0, Color32::WHITE);
+                ui.painter().circle_stroke(at, RING, line);
             }
         }
     }
 
     /// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.
     fn sentence(&self, ui: &mut Ui) {
-        let trade = &self.facts.trade;
-        let known = trade.value.as_deref().unwrap_or_default();
+        let known = self.facts.trade.value.as_deref().unwrap_or_default();
         let of_method = |method: Method| {
             let name = capital(&method_name(method));
             let later = || format!("{name} is not measured yet.");
@@ -122,7 +118,7 @@ impl App {
         };
         let mixed = || "The cuboids are shaded in different modes.".to_owned();
         let text = self.method().map_or_else(mixed, of_method);
-        ui.colored_label(ink(trade), text);
+        ui.colored_label(INK, text);
     }
 
     /// The dot of a method, as a button.
@@ -177,8 +173,8 @@ fn axes() -> Plot<'static> {
 }
 
 /// Draws the band of visible errors, the staircase of best trades, and the dots and whiskers of the methods.
-fn draw(plot: &mut PlotUi, known: &[Measurement], is_current: bool) {
-    let [_, seen] = logarithms(1.0, 2.0 * UNSEEN);
+fn draw(plot: &mut PlotUi, known: &[Measurement]) {
+    let [_, seen] = logarithms((1.0, 2.0 * UNSEEN));
     let visible = Span::new("", seen..=MOST.log10()).axis(Axis::Y);
     let visible = visible.fill(Color32::from_rgb(52, 34, 34));
     plot.span(visible.border_width(0.0));
@@ -191,14 +187,13 @@ fn draw(plot: &mut PlotUi, known: &[Measurement], is_current: bool) {
     let staircase = front.windows(2).flat_map(step).collect();
     plot.line(line(staircase, Color32::from_gray(120)));
     for one in known {
-        let own = mode_ink(one.method.mode);
-        let ink = if is_current { own } else { STALE };
+        let ink = mode_ink(one.method.mode);
         let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });
         let [_, y] = place(one);
         let interval = one.timing.interval;
-        let whisker = interval.map(|time| [logarithms(time, 1.0)[0], y]);
+        let whisker = interval.map(|time| [logarithms((time, 1.0))[0], y]);
         plot.line(line(whisker.to_vec(), ink));
         let dot = Points::new("", vec![place(one)]).radius(DOT).color(ink);
-        plot.points(dot.filled(is_current).allow_hover(false));
+        plot.points(dot.allow_hover(false));
     }
 }

@@ -8,6 +8,7 @@ use super::app::App;
 use super::facts::Facts;
 use super::file::SceneFile;
 use super::history::history;
+use super::inspector::Tab;
 use crate::output::{self, quoted};
 use crate::scene::{CameraRecord, Scene, SceneRecord};
 
@@ -66,6 +67,7 @@ impl App {
         self.history = history(&self.state);
         self.facts = Facts::default();
         (self.desk.selected, self.desk.step) = (None, 0);
+        self.desk.tab = self.state.view.pixel.map(|_| Tab::Pixel);
         self.desk.file_error = None;
         self.work = None;
         self.follow_scene();
@@ -73,7 +75,7 @@ impl App {
 
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
     pub(super) fn reload(&mut self, scene: Scene) {
-        let mut record = SceneRecord::of(&scene.world);
+        let mut record = SceneRecord::clone(&scene.record);
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
         let offered = self.offer_edits();
         let find = |cameras: &[CameraRecord], name: &str| {

@@ -33,12 +33,9 @@ pub struct SceneFile {
 impl SceneFile {
     /// The file of a scene that was just read.
     pub fn of(scene: &Scene) -> Self {
-        // Options may have changed the World already, so the saved scene is read from the text.
-        let saved = Scene::parse(&scene.name, &scene.text);
-        let saved = SceneRecord::of(saved.as_ref().map_or(&scene.world, |saved| &saved.world));
         SceneFile {
             new_name: stem(Path::new(&scene.name)),
-            saved: Arc::new(saved),
+            saved: Arc::clone(&scene.record),
             seen: scene.path.as_deref().and_then(stamp),
             is_wrong: false,
             doubted: None,
@@ -75,7 +72,7 @@ impl SceneFile {
     /// # Errors
     /// If it cannot be written.
     pub fn save(&mut self, scene: &mut Scene, folder: &Path, new: bool) -> anyhow::Result<()> {
-        let record = SceneRecord::of(&scene.world);
+        let record = Arc::new(SceneRecord::of(&scene.world));
         let text = scene::updated(&scene.text, &record);
         let path = match scene.path.clone().filter(|_| !new) {
             Some(_) if self.is_wrong => {
@@ -101,7 +98,8 @@ impl SceneFile {
         };
         self.seen = stamp(&path);
         self.is_wrong = false;
-        self.saved = Arc::new(record);
+        self.saved = Arc::clone(&record);
+        scene.record = record;
         scene.name = path.to_string_lossy().into_owned();
         (scene.path, scene.text) = (Some(path), text);
         Ok(())

@@ -13,18 +13,17 @@ const ENTITY: usize = 512;
 /// The most steps that are kept.
 const STEPS: usize = 500;
 
-/// A state that can be gone back to. States that differ in rotation, pixel or tab only are equal: undo leaves these as they
+/// A state that can be gone back to. States that differ in rotation or pixel only are equal: undo leaves these as they
 /// are.
 #[derive(Clone)]
 pub struct State(pub Arc<SceneRecord>);
 
 impl State {
-    /// The view with the rotation, pixel and tab of another one.
+    /// The view with the rotation and pixel of another one.
     pub fn view_as(&self, present: &Viewer) -> Viewer {
         Viewer {
             turned: present.turned,
             pixel: present.pixel,
-            inspector: present.inspector,
             ..self.0.view.clone()
         }
     }

@@ -9,9 +9,21 @@ use egui::{Grid, ProgressBar, Ui};
 
 use super::app::App;
 use super::facts::Latest;
-use super::widgets::{ink, scrolled, short};
-use crate::components::Tab;
+use super::widgets::{INK, scrolled, short};
 use crate::requires::PartChange;
+
+/// A page of the inspector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Tab {
+    /// The evaluation of the explained pixel.
+    Pixel,
+    /// Every number of the scene.
+    Scene,
+    /// The parts of the model that the picture requires.
+    Required,
+    /// The number of proven pixels.
+    Proof,
+}
 
 /// The width of a table's columns before the last, in points.
 const NUMBERS: f32 = 100.0;
@@ -26,26 +38,26 @@ const TABS: [(Tab, &str, &str); 4] = [
 ];
 
 impl App {
-    /// Lays out the tabs and the one that is open.
-    pub fn inspector(&mut self, ui: &mut Ui) {
-        let open = self.viewer().inspector;
-        let mut tab = open.unwrap_or(Tab::Pixel);
+    /// Lays out the tabs and the one that is open, of a drawer with a button that folds it.
+    pub fn inspector(&mut self, ui: &mut Ui, is_drawer: bool) {
+        let tab = self.desk.tab.unwrap_or(Tab::Pixel);
         ui.add_space(4.0);
-        let mut is_folded = false;
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 1.0;
             ui.spacing_mut().button_padding.x = 3.0;
             for (each, name, says) in TABS {
-                let choice = ui.selectable_value(&mut tab, each, name);
-                choice.on_hover_text(says);
+                let choice = ui.selectable_label(tab == each, name);
+                if choice.on_hover_text(says).clicked() {
+                    self.desk.tab = Some(each);
+                }
             }
-            let fold = ui.small_button("⏵");
-            is_folded = fold.on_hover_text("Folds the inspector (Esc).").clicked();
+            if is_drawer {
+                let fold = ui.small_button("⏵");
+                if fold.on_hover_text("Folds the inspector (Esc).").clicked() {
+                    self.desk.tab = None;
+                }
+            }
         });
-        let next = (!is_folded).then_some(tab);
-        if next != open {
-            self.viewer_mut().inspector = next;
-        }
         ui.separator();
         scrolled(ui, tab, |ui| match tab {
             Tab::Pixel => self.pixel_tab(ui),
@@ -75,22 +87,17 @@ impl App {
         let head = (head, "");
         let parts = facts.required.value.iter().flatten().map(part);
         let rows = iter::once(head).chain(parts);
-        Self::table(ui, "required", &facts.required, rows);
+        Self::table(ui, "required", rows);
     }
 
-    /// Lays out a table about a fact, with a tooltip for each row. The words in its last column wrap.
-    fn table<T>(
-        ui: &mut Ui,
-        name: &str,
-        fact: &Latest<T>,
-        rows: impl Iterator<Item = (Vec<String>, &'static str)>,
-    ) {
+    /// Lays out a table with a tooltip for each row. The words in its last column wrap.
+    fn table(ui: &mut Ui, name: &str, rows: impl Iterator<Item = (Vec<String>, &'static str)>) {
         let words = (ui.available_width() - NUMBERS).max(NUMBERS);
         let table = Grid::new(name).striped(true).min_col_width(0.0);
         table.max_col_width(words).show(ui, |ui| {
             for (row, says) in rows {
                 for cell in row {
-                    let label = ui.colored_label(ink(fact), cell);
+                    let label = ui.colored_label(INK, cell);
                     if !says.is_empty() {
                         label.on_hover_text(says);
                     }
@@ -135,6 +142,6 @@ impl App {
             ]
         });
         let rows = rows.map(|(number, words)| (vec![number, words.to_owned()], ""));
-        Self::table(ui, "proof", fact, rows);
+        Self::table(ui, "proof", rows);
     }
 }

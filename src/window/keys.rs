@@ -4,7 +4,8 @@
 
 use egui::{Key, Modifiers};
 
-use crate::components::{ShadingMode, Side, Tab, ViewMode};
+use super::inspector::Tab;
+use crate::components::{ShadingMode, Side, ViewMode};
 
 /// Everything that a key can do.
 #[derive(Clone, Copy, Debug, PartialEq)]

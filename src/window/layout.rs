@@ -1,30 +1,31 @@
 //! The frame of the window: the panel on the left, the inspector on the right, the status line below, the picture between.
 //!
-//! The sides leave at least half of the width to the picture. In a narrow window the inspector takes the panel's place.
+//! In a wide window the inspector has a room of its own. In a narrower one it is a drawer over the picture. So the picture keeps its
+//! size when something is opened.
 
 use egui::{
-    Color32, Grid, Id, Label, Modal, Panel, Popup, RichText, ScrollArea, Sense, TextWrapMode, Ui,
-    Vec2, vec2,
+    Align2, Area, Color32, Frame, Grid, Id, Label, Modal, Order, Panel, Popup, RichText,
+    ScrollArea, Sense, TextWrapMode, Ui, Vec2, vec2,
 };
 
 use super::app::App;
+use super::inspector::Tab;
 use super::keys::{BINDINGS, Binding, caption_of};
-use super::widgets::{BAD, GOOD, INK, STALE, scrolled, short};
-use crate::components::{Side, Tab, ViewMode};
+use super::widgets::{BAD, GOOD, INK, scrolled, short};
+use crate::components::{Side, ViewMode};
 use crate::shading::Method;
 use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 213.0;
 const USUAL: f32 = 300.0;
-/// By default each of two sides takes the width over this, and at most a quarter: 960x720 shows the whole default scene.
-const SHARED: f32 = 4.5;
+/// The width of a window, in points, from which on the inspector has a room of its own.
+const WIDE: f32 = 1200.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
 const METHOD: &str = "The method on screen.";
-const TIME: &str =
-    "The median time of a frame, without the window around it. Grey: the time of the last frame.";
+const TIME: &str = "The median time of a frame, without the window around it; that of the last frame until it is measured.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
 const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance, \
                       or within 0.05 if that is 0.";
@@ -33,41 +34,64 @@ impl App {
     /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
     pub fn ui(&mut self, ui: &mut Ui) {
         let width = ui.available_width();
-        self.desk.has_both = width >= SHARED * LEAST;
+        self.desk.has_room = width >= WIDE;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
         if !self.scene.lesson.is_empty() {
             Panel::bottom("lesson").show_inside(ui, |ui| self.lesson(ui));
         }
-        let has_inspector = self.viewer().inspector.is_some();
-        let has_panel = !self.desk.panel_folded && (self.desk.has_both || !has_inspector);
-        let is_shared = has_panel && has_inspector;
-        let most = width / if is_shared { 4.0 } else { 2.0 };
-        let usual = USUAL.min(if is_shared { width / SHARED } else { most });
+        let usual = USUAL.min(width / 2.0);
+        let most = if self.desk.has_room { 3.0 } else { 2.0 };
         // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
         let id = |name: &str| Id::new((name, usual as u32));
         let side = |panel: Panel| {
-            panel
-                .default_size(usual)
-                .size_range(LEAST.min(usual)..=most)
+            let panel = panel.default_size(usual);
+            panel.size_range(LEAST.min(usual)..=width / most)
         };
-        if has_panel {
+        if !self.desk.panel_folded {
             let panel = side(Panel::left(id("panel")));
             panel.show_inside(ui, |ui| scrolled(ui, "panel", |ui| self.panel(ui)));
         } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
-            self.fold_panel();
+            self.desk.panel_folded = false;
         }
-        let folded = Panel::right("folded inspector");
-        if has_inspector {
-            side(Panel::right(id("inspector"))).show_inside(ui, |ui| self.inspector(ui));
-        } else if is_opened(ui, folded, "⏴", "Opens the inspector.") {
-            self.viewer_mut().inspector = Some(Tab::Pixel);
+        if self.desk.has_room {
+            let inspector = side(Panel::right(id("inspector")));
+            inspector.show_inside(ui, |ui| self.inspector(ui, false));
+        } else if is_opened(ui, Panel::right("drawer"), "⏴", "Opens the inspector.") {
+            self.desk.tab = self.desk.tab.or(Some(Tab::Pixel));
         }
         self.viewport(ui);
+        if !self.desk.has_room && self.desk.tab.is_some() {
+            self.drawer(ui, usual);
+        }
         if self.desk.help {
             self.help(ui);
         }
         self.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
+    }
+
+    /// Lays out the inspector over the picture, on the side where it does not hide the explained pixel.
+    fn drawer(&mut self, ui: &Ui, usual: f32) {
+        let place = self.place;
+        let is_left = self
+            .pixel()
+            .is_some_and(|it| self.place_of(it).x > place.center().x);
+        let (pivot, corner) = if is_left {
+            (Align2::LEFT_TOP, place.left_top())
+        } else {
+            (Align2::RIGHT_TOP, place.right_top())
+        };
+        let ground = Frame::side_top_panel(ui.style());
+        let width = usual.min(LEAST.max(place.width() / 2.0)).min(place.width());
+        let room = (vec2(width, place.height()) - ground.total_margin().sum()).max(Vec2::ZERO);
+        let drawer = Area::new(Id::new("drawer")).pivot(pivot).fixed_pos(corner);
+        drawer.order(Order::Middle).show(ui.ctx(), |ui| {
+            ground.show(ui, |ui| {
+                ui.set_min_size(room);
+                ui.set_max_size(room);
+                self.inspector(ui, true);
+            });
+        });
     }
 
     /// The status line: the facts about the picture, or a message.
@@ -88,7 +112,8 @@ impl App {
         });
     }
 
-    /// The facts about the picture. Facts about another picture are grey. Returns whether the error was clicked.
+    /// The facts about the picture; those of the picture before stay until they are found again. Returns whether the error was
+    /// clicked.
     fn facts_line(&self, ui: &mut Ui) -> bool {
         let is_wipe = self.viewer().show == ViewMode::Wipe;
         let (name, is_shown) = match self.turn() {
@@ -101,23 +126,19 @@ impl App {
         if !is_shown {
             return false;
         }
-        let mut fact = |text: String, ink: Color32, is_current: bool, says: &str, sense: Sense| {
-            let ink = if is_current { ink } else { STALE };
+        let mut fact = |text: String, ink: Color32, says: &str, sense: Sense| {
             ui.separator();
             let label = Label::new(RichText::new(text).color(ink)).sense(sense);
             ui.add(label).on_hover_text(says)
         };
         let mut is_clicked = false;
         if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
-            let is_measured = self.measured_time().is_some();
-            let time = format!("{} ms", short(time));
-            fact(time, INK, is_measured, TIME, Sense::hover());
+            fact(format!("{} ms", short(time)), INK, TIME, Sense::hover());
         }
         let comparison = &self.facts.comparison;
         if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
             let text = format!("{} levels off exact Phong", short(error));
-            let is_current = comparison.is_current;
-            is_clicked = fact(text, INK, is_current, ERROR, Sense::click()).clicked();
+            is_clicked = fact(text, INK, ERROR, Sense::click()).clicked();
         }
         if let Some(it) = self.facts.proof.current() {
             let pixels = it.pixels as u64;
@@ -128,10 +149,15 @@ impl App {
             let mode = self.method().map(|it| Method::of(it.mode, 0.0));
             let exact = mode.map_or("its exact mode".to_owned(), method_name);
             let text = format!("{share} proven within {} of {exact}", it.limit);
-            fact(text, ink, true, PROVEN, Sense::hover());
+            fact(text, ink, PROVEN, Sense::hover());
         } else if self.pool.is_some() {
             let text = "not proven yet".to_owned();
-            fact(text, STALE, false, PROVEN, Sense::hover());
+            fact(text, Color32::GRAY, PROVEN, Sense::hover());
+        }
+        let is_measured =
+            comparison.is_current && (self.measured_time().is_some() || !self.shows_times);
+        if self.pool.is_some() && !is_measured {
+            ui.weak("measuring");
         }
         is_clicked
     }

@@ -9,12 +9,12 @@ use egui::{
 use hecs::Entity;
 
 use super::app::App;
+use super::inspector::Tab;
 use super::keys::{Action, EXACT_SIDES, binding, caption, keys};
 use super::widgets::{color_button, number, slider};
 use crate::components::range::Strength;
 use crate::components::{
-    Camera, Light, LightKind, Name, Projection, ShadingMode, Side, Tab, ViewMode, Viewer, names,
-    ordered,
+    Camera, Light, LightKind, Name, Projection, ShadingMode, Side, ViewMode, Viewer, names, ordered,
 };
 use crate::drawing::camera_name;
 use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene};

@@ -8,8 +8,9 @@ use std::time::Duration;
 use super::app::App;
 use super::comparison::Comparison;
 use super::facts::{Facts, Latest, Question, Work};
+use super::inspector::Tab;
 use super::pictures::{sides, view_at};
-use crate::components::{Mesh, Side, Tab, View, ViewMode, Viewer, common_mode};
+use crate::components::{Mesh, Side, View, ViewMode, Viewer, common_mode};
 use crate::drawing::Drawing;
 use crate::probe::{self, Probe};
 use crate::prove::prove;
@@ -30,14 +31,13 @@ impl App {
     /// no threads in the background.
     pub fn ask(&mut self) {
         let viewer = Viewer::clone(&self.viewer());
-        let tab = viewer.inspector;
+        let tab = self.desk.tab;
         let level = self.pictures.frame.workers().level();
         let is_live = self.pool.is_some();
         let shows_exact = self.desk.blinks.is_some()
             || viewer.show == ViewMode::Error
             || sides(&viewer).contains(&Side::Reference);
-        let [width, height] = self.pictures.frame.size();
-        if let Some(pixel) = viewer.pixel.filter(|[x, y]| *x < width && *y < height) {
+        if let Some(pixel) = viewer.pixel_in(self.pictures.frame.size()) {
             self.find(
                 Question::Probe,
                 |facts| &mut facts.section,
@@ -164,7 +164,7 @@ impl App {
 
     /// The answer about the probed pixel, possibly of an earlier picture.
     pub fn probed(&self) -> Option<&Probe> {
-        let pixel = self.viewer().pixel;
+        let pixel = self.pixel();
         let mut section = self.facts.section.value.iter().flatten();
         section.find(|probe| Some(probe.pixel) == pixel)
     }

@@ -19,6 +19,11 @@ impl App {
         [size.x, size.y].map(|side| (side.round() as usize).max(1))
     }
 
+    /// The pixel that is explained, if it lies in the picture.
+    pub fn pixel(&self) -> Option<[usize; 2]> {
+        self.viewer().pixel_in(self.picture_size())
+    }
+
     /// The view that is drawn.
     pub fn view(&self) -> View {
         let view = View::of(&self.scene.world, self.picture_size());
@@ -61,26 +66,9 @@ impl App {
             let viewer = Viewer::clone(&self.viewer());
             self.pictures.draw(&mut self.scene.world, &viewer, &view)?;
             self.moved = Some(self.now);
-            let before = self.drawn.replace(present).map(|(_, before)| before.size);
-            if let Some(before) = before.filter(|before| *before != view.size) {
-                self.keep_pixel(before, view.size);
-            }
+            self.drawn = Some(present);
         }
         Ok(())
-    }
-
-    /// Keeps the probed pixel where it lies in the scene when the picture gets another size.
-    fn keep_pixel(&mut self, before: [usize; 2], size: [usize; 2]) {
-        let Some(pixel) = self.viewer().pixel else {
-            return;
-        };
-        // The field of view is vertical, and the middle of the picture stays.
-        let scale = size[1] as f64 / before[1] as f64;
-        let pixel = [0, 1].map(|axis| {
-            let from_middle = pixel[axis] as f64 + 0.5 - before[axis] as f64 / 2.0;
-            (from_middle * scale + size[axis] as f64 / 2.0).max(0.0) as usize
-        });
-        self.viewer_mut().pixel = Some(pixel);
     }
 
     /// The place of the picture that has its turn while two of them blink: the sides of a wipe, else exact Phong and the

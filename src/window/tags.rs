@@ -3,10 +3,11 @@
 use egui::{Align, Color32, ComboBox, Frame, Layout, RichText, TextWrapMode, Ui, UiBuilder};
 
 use super::app::App;
+use super::inspector::Tab;
 use super::pictures::sides;
 use super::viewport::DIVIDER_MARGIN;
-use super::widgets::{ink, short};
-use crate::components::{ShadingMode, Side, Tab, ViewMode};
+use super::widgets::{INK, short};
+use crate::components::{ShadingMode, Side, ViewMode};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
 use crate::trade::Measurement;
@@ -89,36 +90,40 @@ impl App {
         }
         self.viewer_mut().sides = sides;
         if let Some(index) = clicked {
-            self.seek_worst(index);
+            self.explain_worst_of(index);
         }
     }
 
     /// Lays out the price of a method. Returns whether its worst pixel was clicked.
     fn price(&self, ui: &mut Ui, price: &Measurement) -> bool {
-        let ink = ink(&self.facts.trade);
-        ui.colored_label(ink, format!("{} ms a frame", short(price.timing.median)));
+        ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
         if let Some(kept) = price.highlight_kept {
             let text = format!("highlight kept {:.0} %", 100.0 * kept);
-            ui.colored_label(ink, text).on_hover_text(KEPT);
+            ui.colored_label(INK, text).on_hover_text(KEPT);
         }
         let worst = price.largest_error().map(|error| {
             let text = format!("worst pixel {} of 255", short(error));
-            ui.link(RichText::new(text).color(ink))
+            ui.link(RichText::new(text).color(INK))
         });
-        let is_clicked = worst.is_some_and(|it| it.on_hover_text("Shows why it errs.").clicked());
-        is_clicked && self.facts.trade.is_current
+        if !self.facts.trade.is_current {
+            ui.weak("measuring");
+        }
+        worst.is_some_and(|it| it.on_hover_text("Shows why it errs.").clicked())
     }
 
-    /// Explains the worst pixel that is sought if the errors are known, and moves the divider where the other side of a wipe
-    /// hides it. Returns whether it has.
-    pub(super) fn explain_sought(&mut self) -> bool {
-        let is_known = self.facts.trade.is_current;
-        let Some(index) = self.desk.sought.take_if(|_| is_known) else {
-            return false;
-        };
+    /// Explains the worst pixel of the picture, or of the side of a wipe that errs more.
+    pub fn explain_worst(&mut self) {
+        let errors = self.prices().map(|price| price?.largest_error());
+        self.explain_worst_of(usize::from(errors[1] > errors[0]));
+    }
+
+    /// Explains the worst pixel of a side, and moves the divider where the other side of a wipe hides it.
+    fn explain_worst_of(&mut self, index: usize) {
+        if !self.facts.trade.is_current {
+            return self.say("the errors are not measured yet");
+        }
         let Some([x, y]) = self.prices()[index].and_then(Measurement::worst_pixel) else {
-            self.say("the picture has no worst pixel");
-            return true;
+            return self.say("the picture has no worst pixel");
         };
         let is_wipe = self.viewer().show == ViewMode::Wipe;
         if is_wipe && usize::from(x >= self.divider_column()) != index {
@@ -128,33 +133,16 @@ impl App {
             self.viewer_mut().divider = divider;
         }
         self.probe([x, y]);
-        true
+        self.desk.tab = Some(Tab::Pixel);
     }
 
-    /// Seeks the worst pixel of the picture, or of the side of a wipe that errs more.
-    pub fn explain_worst(&mut self) {
-        let errors = self.prices().map(|price| price?.largest_error());
-        self.seek_worst(usize::from(errors[1] > errors[0]));
-    }
-
-    /// Seeks the worst pixel of a side. The tab for it opens first if there is room, because the picture has another size then.
-    fn seek_worst(&mut self, index: usize) {
-        if self.desk.has_both {
-            self.viewer_mut().inspector = Some(Tab::Pixel);
-        }
-        self.desk.sought = Some(index);
-        if !self.facts.trade.is_current {
-            self.say("the worst pixel follows when the errors are measured");
-        }
-    }
-
-    /// Probes a pixel, and opens the tab for it if there is room.
+    /// Explains a pixel, and opens the tab for it.
     pub fn probe(&mut self, pixel: [usize; 2]) {
-        self.desk.sought = None;
-        self.viewer_mut().pixel = Some(pixel);
+        let size = self.picture_size();
+        self.viewer_mut().set_pixel(pixel, size);
         // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.has_both && self.viewer().inspector != Some(Tab::Scene) {
-            self.viewer_mut().inspector = Some(Tab::Pixel);
+        if self.desk.tab != Some(Tab::Scene) {
+            self.desk.tab = Some(Tab::Pixel);
         }
     }
 }

@@ -7,9 +7,10 @@ use egui::{
 };
 
 use super::app::App;
+use super::inspector::Tab;
 use super::pictures::{TINTS, divider_column};
 use super::widgets::BAD;
-use crate::components::{Camera, Orbit, Tab, ViewMode, active_camera, get};
+use crate::components::{Camera, Orbit, ViewMode, active_camera, get};
 use crate::paint::color;
 use crate::shading::SquareKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
@@ -59,10 +60,10 @@ impl App {
             self.tags(ui);
         }
         // A disc over a tag can be dragged.
-        if self.viewer().inspector == Some(Tab::Scene) {
+        if self.desk.tab == Some(Tab::Scene) {
             self.discs(ui);
         }
-        if let Some(pixel) = self.viewer().pixel {
+        if let Some(pixel) = self.pixel() {
             let at = self.place_of(pixel);
             self.draw_arrows(ui.painter(), at);
             draw_cross(ui.painter(), at);

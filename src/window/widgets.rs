@@ -10,13 +10,10 @@ use egui::{
 use egui_plot::Plot;
 use glam::DVec3;
 
-use super::facts::Latest;
 use crate::components::ShadingMode;
 pub use crate::report::words::{rounded, short};
 
-/// The colour of numbers about an earlier picture.
-pub const STALE: Color32 = Color32::from_gray(95);
-/// The colour of numbers about the picture on screen.
+/// The colour of numbers.
 pub const INK: Color32 = Color32::from_gray(220);
 pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
 pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
@@ -67,11 +64,6 @@ fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
         1e-3..1e6 => rounded.to_string(),
         _ => format!("{rounded:e}"),
     }
-}
-
-/// The colour of a fact: grey if it is about an earlier picture.
-pub fn ink<T>(fact: &Latest<T>) -> Color32 {
-    if fact.current().is_some() { INK } else { STALE }
 }
 
 /// A number that was typed, with a decimal point or comma.

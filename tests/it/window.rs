@@ -35,7 +35,7 @@ use super::support::scene::draw;
 use super::support::window::{app, default_scene};
 
 /// A size with room for the panel, the inspector and a small picture.
-const SIZE: [usize; 2] = [960, 600];
+const SIZE: [usize; 2] = [1240, 600];
 /// The time between two steps.
 const FRAME: Duration = Duration::from_millis(20);
 /// After this time a change is a new step of the history.

@@ -6,11 +6,11 @@ use std::time::{Duration, Instant};
 
 use fearless_simd::Level;
 use image::RgbImage;
-use shadetrade::components::Tab;
 
 use super::desktop::{Point, Program, until};
 use super::signal;
 use super::support::{app, default_scene, places, widgets};
+use shadetrade::window::inspector::Tab;
 
 /// The initial size of the window, in pixels.
 const SIZE: [usize; 2] = [960, 720];
@@ -191,7 +191,7 @@ pub(super) fn edit(program: &Program) {
     program.press("e");
     until("the editor", || picture(&program.picture()) != start);
     let mut app = app(default_scene(), SIZE, Level::new());
-    app.viewer_mut().inspector = Some(Tab::Scene);
+    app.desk.tab = Some(Tab::Scene);
     let harness = widgets(app, SIZE);
     let copy = *places(&harness, "copy").last().expect("a button");
     program.click([copy.x as i32, copy.y as i32]);

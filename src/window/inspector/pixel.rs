@@ -12,7 +12,7 @@ use crate::paint::color;
 use crate::probe::ProbedSurface;
 use crate::report::words::CHANNELS;
 use crate::window::app::App;
-use crate::window::widgets::{BAD, GOURAUD, PHONG, STALE, slider, still};
+use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still};
 
 /// The length of a line of numbers, in font sizes.
 const LINE: f32 = 45.0 * 0.61;
@@ -23,8 +23,11 @@ const DRAWN: Color32 = Color32::from_gray(90);
 
 impl App {
     pub fn pixel_tab(&mut self, ui: &mut Ui) {
-        let Some([x, y]) = self.viewer().pixel else {
-            ui.label("Click a pixel of the picture to see what is computed there.");
+        let Some([x, y]) = self.pixel() else {
+            ui.label(match self.viewer().pixel {
+                Some(_) => "The place lies outside of the picture.",
+                None => "Click a pixel of the picture to see what is computed there.",
+            });
             return;
         };
         let [width, height] = self.picture_size();
@@ -34,17 +37,10 @@ impl App {
                 self.viewer_mut().pixel = None;
             }
         });
-        if x >= width || y >= height {
-            ui.label("It is outside of the picture.");
-            return;
-        }
         self.wait(ui, &self.facts.section);
         let Some(probe) = self.probed() else {
             return;
         };
-        if !self.facts.section.is_current {
-            ui.visuals_mut().override_text_color = Some(STALE);
-        }
         let Some(surface) = &probe.surface else {
             ui.label("Background: no cuboid is seen here.");
             return;

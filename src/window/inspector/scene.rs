@@ -37,9 +37,8 @@ impl App {
             ui.style_mut().override_text_style = Some(TextStyle::Small);
             ui.style_mut().drag_value_text_style = TextStyle::Small;
         }
-        let before = json!(SceneRecord::of(&self.scene.world));
-        let mut scene = before.clone();
-        let count = |kind: &str| before[kind].as_array().map_or(0, Vec::len);
+        let record = SceneRecord::of(&self.scene.world);
+        let count = |kind: &str| names_of(&record, kind).count();
         // Undo and a new file may leave fewer entities, and no lights.
         let selected = self.desk.selected.filter(|it| count(it.0) > 0);
         let mut selected = selected.unwrap_or(("cuboid", 0));
@@ -53,44 +52,43 @@ impl App {
             [copy, delete, ui.small_button("new light")].map(|button| button.clicked())
         });
         let [copies, deletes, adds_light] = buttons.inner;
-        entity_list(ui, &before, &mut selected);
+        entity_list(ui, &record, &mut selected);
         ui.separator();
         let (kind, mut place) = selected;
-        let is_viewed = kind == "camera" && scene["view"]["camera"] == scene[kind][place]["name"];
-        let Some(all) = scene[kind].as_array_mut() else {
-            return;
-        };
-        let own = &mut all[place];
-        let key = Key::from(kind).child(own["name"].as_str().unwrap_or_default());
-        Grid::new("table").show(ui, |ui| row(ui, &key, own, &self.state));
+        let before = [entity(&record, selected), json!(record.background)];
+        let [mut own, mut background] = before.clone();
+        let name = own["name"].clone();
+        let key = Key::from(kind).child(name.as_str().unwrap_or_default());
+        Grid::new("table").show(ui, |ui| row(ui, &key, &mut own, &record));
         if kind == "light" {
-            place_light(own);
-        }
-        let viewed = (!deletes).then(|| own["name"].clone());
-        if copies {
-            all.push(copy(kind, all, &all[place]));
-            place = all.len() - 1;
-        }
-        if deletes {
-            all.remove(place);
-            place = place.min(all.len().saturating_sub(1));
-        }
-        // After an undo the last entity may stand for one that a redo brings back.
-        if (kind, place) != known {
-            self.desk.selected = Some((kind, place));
-        }
-        if is_viewed {
-            scene["view"]["camera"] = json!(viewed);
-        }
-        if adds_light && let Some(lights) = scene["light"].as_array_mut() {
-            self.desk.selected = Some(("light", lights.len()));
-            lights.push(copy("light", lights, &new_light()));
+            place_light(&mut own);
         }
         ui.separator();
         let key = Key::from("background");
-        let background = &mut scene["background"];
-        Grid::new("scene").show(ui, |ui| row(ui, &key, background, &self.state));
-        if scene != before {
+        Grid::new("scene").show(ui, |ui| row(ui, &key, &mut background, &record));
+        if copies || deletes || adds_light || [&own, &background] != [&before[0], &before[1]] {
+            let mut scene = json!(record);
+            scene["background"] = background;
+            if kind == "camera" && scene["view"]["camera"] == name {
+                scene["view"]["camera"] = json!((!deletes).then(|| own["name"].clone()));
+            }
+            if let Some(all) = scene[kind].as_array_mut() {
+                all[place] = own;
+                if copies {
+                    all.push(copy(kind, all, &all[place]));
+                    place = all.len() - 1;
+                }
+                if deletes {
+                    all.remove(place);
+                    place = place.min(all.len().saturating_sub(1));
+                }
+            }
+            if adds_light && let Some(lights) = scene["light"].as_array_mut() {
+                selected = ("light", lights.len());
+                lights.push(copy("light", lights, &new_light()));
+            } else {
+                selected = (kind, place);
+            }
             match edited(&scene) {
                 Ok(record) => {
                     self.restore(&record);
@@ -101,6 +99,10 @@ impl App {
                 Err(error) => self.say(error.to_string()),
             }
         }
+        // After an undo the last entity may stand for one that a redo brings back.
+        if selected != known {
+            self.desk.selected = Some(selected);
+        }
     }
 
     /// Selects the entity of a kind, in scene files `key`, that has this name.
@@ -108,6 +110,24 @@ impl App {
         let names = names::<C>(&self.scene.world);
         let place = names.iter().position(|own| own == name);
         self.desk.selected = place.map(|place| (key, place)).or(self.desk.selected);
+    }
+}
+
+/// The names of the entities of a kind, in the order of the file.
+fn names_of<'a>(record: &'a SceneRecord, kind: &str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
+    match kind {
+        "cuboid" => Box::new(record.cuboid.iter().map(|it| &*it.name)),
+        "light" => Box::new(record.light.iter().map(|it| &*it.name)),
+        _ => Box::new(record.camera.iter().map(|it| &*it.name)),
+    }
+}
+
+/// An entity as JSON.
+fn entity(record: &SceneRecord, (kind, place): EntityPlace) -> Value {
+    match kind {
+        "cuboid" => json!(record.cuboid[place]),
+        "light" => json!(record.light[place]),
+        _ => json!(record.camera[place]),
     }
 }
 
@@ -156,13 +176,15 @@ fn place_light(light: &mut Value) {
 }
 
 /// The names of the entities of all kinds, in the order of the file.
-fn entity_list(ui: &mut Ui, scene: &Value, selected: &mut EntityPlace) {
+fn entity_list(ui: &mut Ui, record: &SceneRecord, selected: &mut EntityPlace) {
     let of_kind = |kind: &'static str| {
-        let all = scene[kind].as_array().into_iter().flatten().enumerate();
-        all.map(move |(place, it)| ((kind, place), it["name"].as_str().unwrap_or_default()))
+        let places = (0..).map(move |place| (kind, place));
+        places.zip(names_of(record, kind))
     };
-    let kinds = ["cuboid", "light", "camera"].into_iter();
-    let entities: Vec<_> = kinds.flat_map(of_kind).collect();
+    let entities: Vec<_> = ["cuboid", "light", "camera"]
+        .into_iter()
+        .flat_map(of_kind)
+        .collect();
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     // The keys of an entity stay in sight below.
     let most = (ui.ctx().content_rect().height() - 420.0).max(150.0);

@@ -41,10 +41,9 @@ Values of the wrong type.
 20 ¦ fov = { a = 1 }                   ¦ 20:7  ¦ table ¦ a number
 22 ¦ [view]⏎projection = "flat"        ¦ 23:14 ¦ flat
 22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ all
-22 ¦ [view]⏎inspector = "help"         ¦ 23:13 ¦ help
 22 ¦ [view]⏎sides = ["phong-0"]        ¦ 23:9  ¦ ["phong-0"]
 22 ¦ [view]⏎sides = ["phong-0", "x-1"] ¦ 23:9  ¦ "x-1" ¦ "reference"
-22 ¦ [view]⏎pixel = [0, -1]            ¦ 23:13 ¦ `view.pixel[1]` ¦ -1 ¦ a whole number
+22 ¦ [view]⏎pixel = [0]                ¦ 23:9  ¦ `view.pixel` ¦ 2 values
 
 Numbers out of range; every range is tried below.
  1 ¦ background = [0, 0, nan]          ¦ 1:14  ¦ NaN
@@ -56,7 +55,7 @@ Numbers out of range; every range is tried below.
 14 ¦ intensity = -9223372036854775809  ¦ 14:13 ¦ `light[0].intensity` ¦ -9.2
 22 ¦ [view]⏎turned = 99999999999999999999 ¦ 23:10 ¦ `view.turned` ¦ type: number `100000000000000000000.0` ¦ a whole number
 22 ¦ [view]⏎turned = 360               ¦ 23:10 ¦ `view.turned` ¦ 360
-22 ¦ [view]⏎pixel = [0, 16384]         ¦ 23:9  ¦ `view.pixel` ¦ 16384
+22 ¦ [view]⏎pixel = [0, 8193]          ¦ 23:9  ¦ `view.pixel[1]` ¦ 8193
 
 Names, and values that do not go together.
  3 ¦ name = ''                         ¦ 3:8   ¦ `cuboid.name`

@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::{
-    LightKind, Material, Orbit, Projection, ShadingMode, Side, Tab, ViewMode, Viewer,
+    LightKind, Material, Orbit, Projection, ShadingMode, Side, ViewMode, Viewer,
 };
 use shadetrade::scene::range::{
-    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, OrbitAngle, Share,
+    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Offset, OrbitAngle, Share,
     Shininess, Strength, Zoom,
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
@@ -140,7 +140,7 @@ pub fn view(random: &mut Random) -> Viewer {
     if random.below(4) == 0 {
         return Viewer::default();
     }
-    let pixel = |random: &mut Random| [random.below(16_384), random.below(16_384)];
+    let pixel = |random: &mut Random| [(); 2].map(|()| number(random, &Offset::RANGE));
     let budget = maybe(random, |random| number(random, &Milliseconds::RANGE));
     Viewer {
         camera: None,
@@ -152,9 +152,6 @@ pub fn view(random: &mut Random) -> Viewer {
         divider: number(random, &Share::RANGE),
         turned: random.below(360) as u32,
         pixel: maybe(random, pixel),
-        inspector: maybe(random, |random| {
-            random.one_of(&[Tab::Pixel, Tab::Scene, Tab::Required, Tab::Proof])
-        }),
         turns: false,
     }
 }

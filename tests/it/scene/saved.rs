@@ -1,7 +1,7 @@
 //! Saving a record into the text of its file: it is read again unchanged, and the rest of the text stays.
 
 use proptest::prelude::*;
-use shadetrade::components::{LightKind, Projection, ShadingMode, Tab, ViewMode};
+use shadetrade::components::{LightKind, Projection, ShadingMode, ViewMode};
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord, updated};
 
 use super::{LEAST, MOST, random};
@@ -232,22 +232,18 @@ fn a_view_is_added_only_if_it_differs_from_the_default() {
     let second: Change = |record| record.view.camera = Some("2".to_owned());
     let several: Change = |record| {
         record.view.show = ViewMode::Wipe;
-        record.view.pixel = Some([3, 4]);
-        record.view.inspector = Some(Tab::Proof);
+        record.view.pixel = Some([0.25, -0.5]);
     };
     for (change, expected) in [
         (orthographic, "projection = \"orthographic\""),
         (second, "camera = \"2\""),
-        (
-            several,
-            "show = \"wipe\"\npixel = [3, 4]\ninspector = \"proof\"",
-        ),
+        (several, "show = \"wipe\"\npixel = [0.25, -0.5]"),
     ] {
         let after = edited(text, change);
         let expected = format!("{}\n\n[view]\n{expected}\n", text.trim_end());
         assert_eq!(after, expected);
     }
-    let there = edited(LOOKED_AT, |record| record.view.pixel = Some([1, 2]));
+    let there = edited(LOOKED_AT, |record| record.view.pixel = Some([1.5, 2.5]));
     let gone = edited(&there, |record| record.view.pixel = None);
     assert_eq!(gone, LOOKED_AT);
 }

@@ -4,10 +4,11 @@ use std::sync::mpsc;
 
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{ShadingMode, Tab, common_mode};
+use shadetrade::components::{ShadingMode, common_mode};
 use shadetrade::report::Monitor;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::facts::{Question, Work, pool};
+use shadetrade::window::inspector::Tab;
 
 use super::{PAUSE, Window};
 use crate::support::records;
@@ -37,7 +38,7 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
         assert_eq!(are_current(&window), [true; 3], "{key:?}");
     }
     // Nothing asks for them again.
-    window.app.viewer_mut().inspector = None;
+    window.app.desk.tab = None;
     window.press(Key::F2);
     for key in [Key::OpenBracket, Key::G] {
         window.press(key);
@@ -53,13 +54,14 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
 fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized_and_in_the_picture() {
     let mut window = Window::of(default_scene(), [300, 200]);
     window.click(Pos2::new(170.0, 120.0));
-    let before = window.record().view.pixel.expect("a pixel");
-    let [width, height] = window.app.picture_size();
+    let before = window.app.pixel().expect("a pixel");
+    let (place, [width, height]) = (window.record().view.pixel, window.app.picture_size());
     window.size = [600, 400];
     (0..2).for_each(|_| window.wait(PAUSE));
     assert!(window.app.facts.section.current().is_some());
     let pixel = window.app.probed().expect("an answer").pixel;
-    assert_eq!(Some(pixel), window.record().view.pixel);
+    assert_eq!(Some(pixel), window.app.pixel());
+    assert_eq!(window.record().view.pixel, place);
     let [wider, higher] = window.app.picture_size();
     let scale = higher as f64 / height as f64;
     for (before, after, sides) in [
@@ -71,9 +73,9 @@ fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized_and_in_the_pictu
         assert!((after as f64 - expected).abs() <= 1.0, "{pixel:?}");
     }
     let last = [wider - 1, higher - 1];
-    window.app.viewer_mut().pixel = Some(last);
+    window.app.probe(last);
     window.press_with(Modifiers::SHIFT, Key::ArrowRight);
-    assert_eq!(window.record().view.pixel, Some(last));
+    assert_eq!(window.app.pixel(), Some(last));
 }
 
 #[test]
@@ -93,7 +95,7 @@ fn the_part_that_matters_most_comes_first() {
 #[test]
 fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
     let mut window = Window::of(default_scene(), [1000, 120]);
-    window.app.viewer_mut().inspector = Some(Tab::Proof);
+    window.app.desk.tab = Some(Tab::Proof);
     window.wait(PAUSE);
     window.wait(PAUSE);
     let proof = window.app.facts.proof.current().expect("an answer");

@@ -3,11 +3,12 @@
 use std::collections::HashSet;
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, Pos2};
+use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{Orbit, Projection, ShadingMode, Side, Tab, ViewMode};
+use shadetrade::components::{Orbit, Projection, ShadingMode, Side, ViewMode};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::comparison::Comparison;
+use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{self, Action};
 
 use super::trade::app_with_trade;
@@ -39,7 +40,7 @@ fn prepare(window: &mut Window, action: Action) {
 }
 
 /// The expected record after the action, according to its description and the scene format.
-fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
+fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneRecord {
     let mut record = before.clone();
     let view = &mut record.view;
     let lights = ["white", "red", "specular", "ambient"];
@@ -69,9 +70,9 @@ fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
             view.sides = [Side::Picture, Side::Reference];
         }
         Action::Probe(right, down) => {
-            let [x, y] = view.pixel.expect("the middle");
+            let [x, y] = view.pixel_in(size).expect("the middle");
             let moved = |at: usize, by: i32| at.saturating_add_signed(by as isize);
-            view.pixel = Some([moved(x, right), moved(y, down)]);
+            view.set_pixel([moved(x, right), moved(y, down)], size);
         }
         Action::Orbit(right, up) => {
             record.camera[0].orbit.azimuth = right;
@@ -79,7 +80,6 @@ fn expected(action: Action, before: &SceneRecord) -> SceneRecord {
         }
         Action::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
         Action::ResetView => record.camera[0].orbit = Orbit::default(),
-        Action::Tab(tab) => view.inspector = Some(tab),
         _ => {}
     }
     record
@@ -97,12 +97,18 @@ fn every_key_does_what_its_description_says() {
         window.key(*key, true);
         let blinks = window.app.turn().is_some();
         window.key(*key, false);
-        assert_eq!(window.record(), expected(action, &before), "{key:?}");
+        assert_eq!(
+            window.record(),
+            expected(action, &before, window.app.picture_size()),
+            "{key:?}"
+        );
         let desk = &window.app.desk;
         for (is_on, own) in [
             (blinks, Action::Blink),
             (desk.help, Action::Help),
             (desk.panel_folded, Action::Panel),
+            (desk.tab == Some(Tab::Scene), Action::Tab(Tab::Scene)),
+            (desk.tab == Some(Tab::Required), Action::Tab(Tab::Required)),
             (window.app.viewer().turns, Action::Rotate),
             (window.app.quits, Action::Quit),
         ] {
@@ -171,7 +177,7 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     // Escape leaves the field alone.
     window.click(field);
     window.press(Key::Escape);
-    assert_eq!(window.app.viewer().inspector, Some(Tab::Scene));
+    assert_eq!(window.app.desk.tab, Some(Tab::Scene));
 }
 
 #[test]
@@ -198,8 +204,8 @@ fn tab_goes_through_the_widgets_and_scrolls_to_each() {
 
 #[test]
 fn escape_closes_one_visible_thing_at_a_time() {
-    // A narrow window has no room for the inspector beside the picture.
-    for (size, presses) in [(SIZE, 4), ([500, 400], 3)] {
+    // A narrow window has a drawer for the inspector.
+    for (size, presses) in [(SIZE, 3), ([500, 400], 4)] {
         let mut window = Window::of(default_scene(), size);
         window.click(window.app.place.center());
         window.press(Key::H);
@@ -215,21 +221,28 @@ fn escape_closes_one_visible_thing_at_a_time() {
 }
 
 #[test]
-fn in_a_narrow_window_panel_and_inspector_take_turns() {
-    let mut window = Window::of(default_scene(), [400, 300]);
-    let folded = window.app.pixels.clone();
-    for (key, is_folded, has_inspector) in [
-        (Key::I, false, false),
-        (Key::E, false, true),
-        (Key::I, false, false),
-        (Key::I, true, false),
-        (Key::E, false, true),
-        (Key::E, true, false),
-    ] {
-        window.press(key);
-        assert_eq!(window.app.pixels == folded, is_folded, "{key:?}");
-        let tab = window.app.viewer().inspector;
-        assert_eq!(tab.is_some(), has_inspector, "{key:?}");
-        assert!(window.app.picture_size()[0] > 100, "a side takes the rest");
+fn the_picture_keeps_its_size_when_the_inspector_opens() {
+    for width in [330, 500, 960, 1199, 1200, 1900] {
+        let mut window = Window::of(default_scene(), [width, 400]);
+        let (size, place) = (window.app.picture_size(), window.app.place);
+        assert!(size[0] > 100, "{width}");
+        for x in [0.2, 0.8] {
+            // The drawer leaves the pixel that is clicked in sight.
+            window.click(place.min + place.size() * vec2(x, 0.5));
+            window.step(Vec::new());
+            assert_eq!(window.app.picture_size(), size, "{width}");
+            assert_eq!(window.app.desk.tab, Some(Tab::Pixel), "{width}");
+            let at = window
+                .app
+                .place_of(window.app.pixel().expect("it was clicked"));
+            window.click(at);
+            assert_eq!(
+                window.app.place_of(window.app.pixel().expect("it is seen")),
+                at
+            );
+        }
+        window.press(Key::E);
+        window.step(Vec::new());
+        assert_eq!(window.app.picture_size(), size, "{width}");
     }
 }

@@ -1,9 +1,10 @@
 //! Clicks, drags and the wheel over the picture, and their effect on it.
 
 use egui::{Key, Pos2, vec2};
-use shadetrade::components::{Light, LightKind, ShadingMode, Tab, Transform};
+use shadetrade::components::{Light, LightKind, ShadingMode, Transform};
 use shadetrade::frame::display_step;
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::window::inspector::Tab;
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::records;
@@ -59,7 +60,7 @@ fn a_click_selects_in_the_scenes_tab() {
     assert_eq!(selected(&window), Some(("light", 4)));
     window.click(window.app.place.center());
     assert_eq!(selected(&window), Some(("cuboid", 0)));
-    assert_eq!(window.app.viewer().inspector, Some(Tab::Scene));
+    assert_eq!(window.app.desk.tab, Some(Tab::Scene));
     // A pixel of the same row, which is probed already.
     window.click(place_of(&window, "near"));
     window.click(window.app.place.center() + vec2(8.0, 0.0));
@@ -107,7 +108,7 @@ fn only_lights_in_sight_have_discs() {
 fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
     for steps in [1, 3, 300] {
         let mut window = with_light_at(2.0);
-        window.size = [600, 200];
+        window.size = [1300, 200];
         window.press(Key::E);
         window.step(Vec::new());
         let (from, by) = (place_of(&window, "near"), vec2(60.0, 40.0));
@@ -206,9 +207,6 @@ fn a_light_dragged_beyond_the_range_of_positions_stays() {
 fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there() {
     let mut window = Window::open();
     window.press(Key::F3);
-    // The first click opens the inspector, which moves the picture.
-    window.click(window.app.place.center());
-    window.step(Vec::new());
     let mode = |window: &Window| {
         let probe = window.app.probed().expect("an answer");
         probe.surface.as_ref().map(|surface| surface.mode)
@@ -218,8 +216,8 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
         let at = place.center() + vec2(share * place.width(), 10.0);
         window.click(at);
         let [x, y] = [at.x - place.min.x, at.y - place.min.y].map(|it| it as usize);
-        assert_eq!(window.app.viewer().pixel, Some([x, y]));
-        assert_eq!(window.app.viewer().inspector, Some(Tab::Pixel));
+        assert_eq!(window.app.pixel(), Some([x, y]));
+        assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
         assert_eq!(mode(&window), Some(shown));
         let surface = window.app.probed().and_then(|it| it.surface.clone());
         let [width, _] = window.app.picture_size();

@@ -7,9 +7,10 @@ use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use serde::Deserialize;
 use serde_json::{Value, json};
-use shadetrade::components::{Tab, range};
+use shadetrade::components::range;
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
+use shadetrade::window::inspector::Tab;
 
 use super::press;
 use super::widgets::number;
@@ -21,7 +22,7 @@ const SIZE: [usize; 2] = [1400, 1000];
 fn record() -> SceneRecord {
     let mut record = SceneRecord::of(&default_scene().world);
     record.camera.iter_mut().for_each(|it| it.near = Some(0.1));
-    record.view.pixel = Some([300, 400]);
+    record.view.pixel = Some([-0.1, 0.05]);
     record
 }
 
@@ -89,8 +90,9 @@ fn no_slider_and_no_drag_makes_an_illegal_number() {
     ] {
         let reset = |harness: &mut Harness<App>| {
             let mut record = record();
-            (record.view.budget, record.view.inspector) = (budget, Some(tab));
+            record.view.budget = budget;
             let app = harness.state_mut();
+            app.desk.tab = Some(tab);
             app.restore(&record);
             app.desk.selected = Some((entity, 0));
             app.desk.message = None;

@@ -4,9 +4,10 @@ use std::time::Duration;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{Side, Tab, ViewMode};
+use shadetrade::components::{Side, ViewMode};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::App;
+use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::side_view;
 
 use super::trade::{WORST, app_with_trade};
@@ -21,7 +22,7 @@ fn measured() -> App {
 
 fn open(tab: Option<Tab>) -> Window {
     let mut app = measured();
-    app.viewer_mut().inspector = tab;
+    app.desk.tab = tab;
     let mut window = Window::with(app, SIZE);
     window.press(Key::F3);
     window.step(Vec::new());
@@ -88,18 +89,13 @@ fn a_wipe_of_the_reference_against_itself_shows_it_at_any_size() {
 
 #[test]
 fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
-    let probed = |window: &Window| window.app.viewer().pixel;
+    let probed = |window: &Window| window.app.pixel();
     // Phong's lies left of the divider, which moves off it.
     let mut window = open(None);
     let mut harness = widgets(measured(), SIZE);
     press(&mut harness, Key::F3);
     let tag = harness.get_by_label("worst pixel 0.490 of 255").rect();
     window.click(tag.center());
-    // The inspector takes room from the picture, whose errors are measured again.
-    window.step(Vec::new());
-    assert_eq!(probed(&window), None);
-    window.app.facts.trade.finish(measured().facts.trade.value);
-    window.step(Vec::new());
     assert_eq!(probed(&window), Some(WORST[0]));
     let [width, _] = window.app.picture_size();
     assert!(window.app.viewer().divider < WORST[0][0] as f64 / width as f64);
@@ -107,16 +103,16 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     let mut window = open(Some(Tab::Scene));
     window.press(Key::Y);
     assert_eq!(probed(&window), Some(WORST[1]));
-    assert_eq!(window.app.viewer().inspector, Some(Tab::Pixel));
+    assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
     // So does a click on the error in the status line.
     let mut window = Window::with(measured(), SIZE);
     window.press(Key::F5);
     let mut harness = widgets(window.app, SIZE);
     harness.get_by_label_contains("levels off").click();
     harness.run_ok();
-    assert_eq!(harness.state().desk.sought, Some(0));
-    // A pixel that was saved in a larger window may be outside.
-    harness.state_mut().viewer_mut().pixel = Some(SIZE);
+    assert_eq!(harness.state().desk.tab, Some(Tab::Pixel));
+    // A place that was saved in a wider window may be outside.
+    harness.state_mut().viewer_mut().pixel = Some([3.0, 0.0]);
     harness.run_ok();
     assert!(harness.query_by_label_contains("outside").is_some());
 }

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use egui::{Key, Modifiers, pos2};
-use shadetrade::components::{Tab, viewer_mut};
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{Action, keys};
 
 use super::Window;
@@ -128,8 +128,7 @@ impl Storm {
 
     /// Closes the tabs with proofs, which take long for large pictures.
     fn fold_slow_answers(&mut self) {
-        let world = &mut self.window.app.scene.world;
-        let open = &mut viewer_mut(world).inspector;
+        let open = &mut self.window.app.desk.tab;
         open.take_if(|tab| matches!(tab, Tab::Required | Tab::Proof));
     }
 }
@@ -167,7 +166,6 @@ fn after_a_storm_everything_can_be_undone_and_the_saved_file_is_read_again() {
         let (mut first, present) = (storm.first, window.record());
         first.view.turned = present.view.turned;
         first.view.pixel = present.view.pixel;
-        first.view.inspector = present.view.inspector;
         assert_eq!(present, first, "{seed}");
     }
 }
