@@ -186,7 +186,7 @@ mod tests {
     fn a_floor_of_any_length_is_cut_by_the_near_plane_in_the_same_row() {
         // Its top lies 2 below the eye: at the near plane, 1 away, that is 200 pixels below row 100.
         let view = view(Projection::Perspective, [300, 200]);
-        for length in [100.0, 1e9, 1e15, 1e100] {
+        for length in [100.0, 1e5, 1e9, 1e15, 1e100] {
             let size = DVec3::new(length, 4.0, length);
             let projected = project_at(DVec3::new(0.0, -4.0, 7.0), size, &view);
             let top = projected.polygons[2].vertices();
@@ -203,6 +203,13 @@ mod tests {
                 150 - 5_000
             };
             assert_eq!(leftmost, Some(expected), "{length}");
+            // The side runs from 50 pixels for each unit of length, in row 300, to the middle.
+            let ends = top.iter().filter(|[x, _]| Some(*x / 256) == leftmost);
+            let highest = ends
+                .map(|[_, y]| f64::from(*y) / 256.0)
+                .fold(300.0, f64::min);
+            let row = 100.0 + 4.0 * f64::min(2_097_152.0 / length, 50.0);
+            assert!((highest - row).abs() < 0.01, "{length}: {highest}, {row}");
         }
     }
 }

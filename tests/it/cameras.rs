@@ -180,6 +180,10 @@ fn steps_of_zoom_are_tenths_with_limits_and_are_undone_exactly() {
     }
     let moved = Orbit::limits(&Scene::spawn(String::new(), &record).world);
     assert!((moved.start() - limits.start()).abs() + (moved.end() - limits.end()).abs() < 1e-12);
+    // Where little height is seen, the distance decides. It is half of the height above.
+    record.camera.iter_mut().for_each(|it| it.height = 1.0);
+    let low = Orbit::limits(&Scene::spawn(String::new(), &record).world);
+    assert!((low.end() / limits.end() - 2.0).abs() < 1e-12, "{low:?}");
     let [nearest, farthest] = [1000, -1000].map(|steps| own.zoomed(steps, &limits).zoom);
     let reached = nearest / 1.1 < *limits.start() && farthest * 1.1 > *limits.end();
     assert!(reached && limits.contains(&nearest) && limits.contains(&farthest));

@@ -125,7 +125,8 @@ fn seen(world: &World, view: &View) -> Vec<(Seen<Interval>, bool)> {
 #[test]
 fn what_is_hidden_beside_the_edges_is_hidden_all_around_the_centre() {
     let mut numbers = Numbers(7);
-    for are_joined in [true, false] {
+    // Boxes that lie anywhere hide each other at few edges.
+    for (are_joined, least_hidden) in [(true, 900), (false, 50)] {
         let (mut hidden, mut visible, mut unseen) = (0, 0, 0);
         for case in 0..500 {
             let (world, edge) = boxes(&mut numbers, are_joined);
@@ -142,7 +143,7 @@ fn what_is_hidden_beside_the_edges_is_hidden_all_around_the_centre() {
         }
         println!("joined: {are_joined}: {hidden} hidden, {visible} visible, {unseen} in doubt");
         assert!(
-            hidden > 40 && visible > 500,
+            hidden > least_hidden && visible > 1400,
             "{hidden} hidden, {visible} visible"
         );
         assert!(50 * unseen < visible, "{unseen} are in doubt");

@@ -298,12 +298,21 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     let resting = Field::new(&vector, &extents);
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
+    // The chord is bounded by the least s alone.
     let range = Reflection {
-        most: number(0.5),
+        most: number(0.9),
         least: number(0.5),
         sine: number(0.75_f64.sqrt()),
     };
-    let (gloss, fields, half) = (gloss(1.0, 0.5), [&resting, &moving, &resting], number(0.5));
+    let (fields, half) = ([&resting, &moving, &resting], number(0.5));
+    // For rho = 3/2 both of the last two terms count: b = 9/2 sin, d = 3/2 sin^3.
+    let found = highlight_error(&gloss(1.5, 0.5), fields, range, half);
+    let (sin, e1_e2) = (0.75_f64.sqrt(), 0.002 / 3.0_f64.sqrt());
+    let b = 4.5 * sin;
+    let third = 1.5 * (3.0 * e1_e2 + 0.003) + b * e1_e2 + (b + 1.5 * sin.powi(3)) * 0.001;
+    assert!((one(found) / third * 24.0 - 1.0).abs() < 1e-6);
+
+    let gloss = gloss(1.0, 0.5);
     let found = highlight_error(&gloss, fields, range, half);
     let third = 0.3 * 0.02 / 3.0_f64.sqrt() + 0.003;
     assert!((one(found) / third * 24.0 - 1.0).abs() < 1e-6);
@@ -371,7 +380,7 @@ fn a_logarithm_has_no_bound_where_s_may_be_small_or_the_error_large() {
         one(error)
     };
     assert!(found(0.3, 50.0) < 0.01);
-    for [least, rounding] in [[0.2, 50.0], [0.3, 1e4], [f64::NAN, 50.0], [0.3, f64::NAN]] {
+    for [least, rounding] in [[0.2, 50.0], [0.3, 6e3], [f64::NAN, 50.0], [0.3, f64::NAN]] {
         assert_eq!(found(least, rounding), f64::INFINITY, "{least}, {rounding}");
     }
 }

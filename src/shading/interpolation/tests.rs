@@ -169,6 +169,24 @@ fn steps_of_a_256th_are_taken_only_where_nothing_has_to_be_clamped() {
     assert_eq!(fixed(250.0, 8.0, 0.5), Some(false), "white on the other");
     assert_eq!(fixed(100.0, 8.0, 1e-6), None, "f32 itself errs more");
     assert_eq!(fixed(f64::NAN, 8.0, 0.5), None);
+    // They leave less for the half level of an x^2 that is left out.
+    let bent = [[100.0, 0.0, 1.0], [0.0; 3], [0.0; 3]];
+    let color = [bent, bent, bent, [[0.0; 3]; 3]];
+    for (rest, kind) in [(0.505, SquareKind::Quadratic), (0.51, SquareKind::Linear)] {
+        let is_linear = kind == SquareKind::Linear;
+        let (form, _) = judge(&color, None, 16, rest);
+        assert_eq!(form, Some((kind, [is_linear, true])));
+    }
+    // A fourth channel is clamped, but no float of 2^14 levels or more is rounded to a step.
+    let fixed = |levels: f64| {
+        let color = [[[0.0; 3]; 3]; 4];
+        let fourth = Some((SquareKind::Terminator, [levels; 3]));
+        judge(&color, fourth, 16, 0.5)
+            .0
+            .map(|(_, [_, fixed])| fixed)
+    };
+    assert_eq!(fixed(15_900.0), Some(true));
+    assert_eq!(fixed(16_100.0), Some(false));
 }
 
 #[test]
@@ -267,9 +285,10 @@ fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
 #[test]
 fn a_fourth_channel_is_drawn_in_any_other_unless_its_levels_are_rounded_too_coarsely() {
     for kind in [SquareKind::Terminator, SquareKind::Highlight] {
-        for (channel, fourth) in (0..3).flat_map(|channel| [-1.0, 1.0].map(|it| (channel, it))) {
+        for (case, fourth) in (0..27).flat_map(|case| [-1.0, 1.0].map(|it| (case, it))) {
+            let (channel, j, i) = (case / 9, case / 3 % 3, case % 3);
             let mut color = [[[0.0; 3]; 3]; 4];
-            color[3][0][0] = fourth;
+            color[3][j][i] = fourth;
             let found = |levels: f64| {
                 let mut factors = [0.0; 3];
                 factors[channel] = levels;
@@ -278,10 +297,12 @@ fn a_fourth_channel_is_drawn_in_any_other_unless_its_levels_are_rounded_too_coar
             };
             assert_eq!(found(100.0), Some(kind));
             assert_eq!(found(1e9), None);
-            // So long an exponent has no digits behind the point.
-            color[3][0][0] = 1e7 * fourth;
-            let (form, _) = judge(&color, Some((kind, [1e-9; 3])), 16, 0.5);
-            assert_eq!(form, None);
+            // Longer exponents have too few digits behind the point.
+            for (size, expected) in [(0.99e6, Some(kind)), (1.01e6, None)] {
+                color[3][j][i] = size * fourth;
+                let (form, _) = judge(&color, Some((kind, [1e-9; 3])), 16, 0.5);
+                assert_eq!(form.map(|(kind, _)| kind), expected);
+            }
         }
     }
 }

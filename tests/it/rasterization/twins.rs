@@ -104,6 +104,13 @@ fn convex() -> impl Strategy<Value = Polygon> {
     })
 }
 
+#[test]
+fn a_quadrilateral_may_go_straight_on_at_a_corner_but_is_no_point() {
+    assert!(is_convex(&[[0, 256], [128, 256], [256, 256], [256, 0]]));
+    // An edge without length leaves no pixel out.
+    assert!(!is_convex(&[[128, 128]; 4]));
+}
+
 proptest! {
     #![proptest_config(Config {
         cases: 2000,

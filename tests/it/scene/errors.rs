@@ -207,6 +207,8 @@ fn every_range_contains_its_ends_and_nothing_beyond() {
         }
     }
     complaint(&with_line(22, "orbit.zoom = 0"));
+    let beyond_f64 = format!("intensity = 1{}", "0".repeat(400));
+    assert_complaint(&with_line(14, &beyond_f64), "14:13", &["inf", "1e30"]);
 }
 
 #[test]
@@ -253,6 +255,13 @@ fn the_line_is_shown_with_carets_below_the_mistake() {
     for value in [format!("[{}]", "1, ".repeat(100_000)), format!("'{space}'")] {
         let message = complaint(&with_line(9, &format!("shininess = {value}")));
         assert!(message.len() < 800, "{message}");
+        let lines: Vec<&str> = message.lines().collect();
+        assert!(lines[3].len() <= lines[2].len(), "{message}");
+    }
+    for (column, is_cut) in [(100, false), (101, true)] {
+        let line = format!("{:<1$}-1", "shininess =", column - 1);
+        let message = complaint(&with_line(9, &line));
+        assert_eq!(!message.contains("9 | shininess"), is_cut, "{message}");
     }
 }
 
@@ -262,7 +271,8 @@ fn unlimited_nesting_is_refused() {
     assert_complaint(&nested, "1:94", &["background"]);
     let dotted = format!("# one\n{}x = 1\n", "a.".repeat(100_000));
     assert_complaint(&dotted, "2:1", &["2 | a.a."]);
-    let deep = format!("shininess = 76.8\n{}x = 1", "a.".repeat(200));
+    let (comment, dots) = ("-".repeat(999), "a.".repeat(200));
+    let deep = format!("shininess = 76.8 # {comment}\n{dots}x = 1");
     assert_complaint(&with_line(9, &deep), "10:1", &["10 | a.a."]);
 }
 

@@ -84,6 +84,11 @@ fn a_wrong_key_says_which_there_are_and_a_wrong_value_what_is_legal() {
             "name, kind, color, intensity, gain, position, on",
         ),
         ("light.white.color.x=1", "light.white.color has r, g, b"),
+        (
+            "light.\"a=b\".on=true",
+            "no key light.\"a=b\".on; light has",
+        ),
+        ("light.\"\".on=true", "no key light.\"\".on; light has"),
         ("cuboid.emerald.size.w=1", "cuboid.emerald.size has x, y, z"),
         ("camera.1.fov.x=1", "camera.1.fov"),
         ("camera.1.neer=1", "near"),
@@ -113,6 +118,9 @@ fn values_that_belong_together_are_checked_together() {
     let record = set(&default_record(), &values).expect("a legal scene");
     assert_eq!(record.camera[0].target.to_array(), [7.0, 5.0, 8.0]);
     assert!(set(&default_record(), &values[..1]).is_err());
+    let both = ["view.tolerance=1.5", "view.budget=2"];
+    let both = both.map(|text| assignment(text).expect("an assignment"));
+    assert!(set(&default_record(), &both).is_err());
 }
 
 #[test]

@@ -75,6 +75,11 @@ fn a_mistake_has_its_place() {
             "4:7",
             "camera.target",
         ),
+        (
+            "[[step]]\nsay = 'a'\n[[step]]\nsay = 'b'\nset.light.withe.on = true",
+            "6:22",
+            "light has white",
+        ),
         ("[[step]]\nset = {}", "2:1", "say"),
         ("[[step]]\nsay = 'a'\nwords = 1", "4:1", "words"),
         ("[step]\nsay = 'a'", "2:1", "[[step]]"),
@@ -87,6 +92,11 @@ fn a_mistake_has_its_place() {
         let is_right = error.starts_with(&format!("a.toml:{place}: ")) && error.contains(words);
         assert!(is_right, "{steps}: {error}");
     }
+    let beside = "scene = \"bench-far.toml\"\n[[step]]\nsay = 'a'";
+    let beside = Scene::parse_lesson("a.toml", beside, Path::new("assets/scenes"));
+    assert!(beside.is_ok(), "{:?}", beside.err());
+    let longest = format!("scene = \"cuboid\"\n[[step]]\nsay = '{}'", &long[1..]);
+    assert_eq!(read(&longest).expect("200 letters").lesson.len(), 1);
     let error = read("scene = \"none.toml\"\nstep = []").map(drop);
     let error = error.expect_err("there is none").to_string();
     assert!(

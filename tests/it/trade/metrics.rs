@@ -131,4 +131,5 @@ fn a_difference_is_at_least_the_gap_and_at_most_the_span() {
     // 0.1 - 0.7 is not a float, so the floats on both sides are given.
     let [least, most] = difference(&[[0.1; 2]; 3], &[[0.7; 2]; 3]);
     assert_eq!(least.next_up().next_up(), most);
+    assert_eq!(difference(&[[1e-20; 2]; 3], &[[255.0; 2]; 3])[1], 255.0);
 }

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 use serde_json::Value;
-use shadetrade::components::ShadingMode::{Gouraud, Phong};
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::report::words::pace;
 use shadetrade::shading::Method;
 use shadetrade::trade::Measurement;
@@ -107,6 +107,10 @@ fn the_verdict_is_about_the_methods_that_were_measured() {
         let mut others = ["fast", "unit"].into_iter();
         assert!(!others.any(|word| alone.contains(word)), "{alone}");
     }
+    // The time of the shortcut is not comparable.
+    let (measured, shortcut) = (example::report().methods, Method::of(UnitVectors, 0.0));
+    let text = sentence(&measured, shortcut).expect("it is measured");
+    assert!(!text.contains("Phong"), "{text}");
 }
 
 #[test]
