@@ -135,6 +135,8 @@ impl Shader<'_> {
 pub struct Scratch {
     /// The lights that reach the face.
     pub lights: Vec<FaceLight>,
+    /// For [`UnitVectors`] the directions from the corners of the face to all lights.
+    pub to_lights: Vec<[DVec3; 4]>,
     pub pixels: Pixels,
     pub counts: Counts,
     /// One bit a pixel of a strip: covered so far.

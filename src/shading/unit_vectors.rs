@@ -25,21 +25,27 @@ pub struct UnitVectors<'a> {
     normals: [DVec3; 4],
     to_eye: [DVec3; 4],
     /// Unit l there, of each light.
-    to_lights: Vec<[DVec3; 4]>,
+    to_lights: &'a [[DVec3; 4]],
     /// By triangle: from u, v and 1 to the weights of its corners, times the z_i where it has them.
     weights: [DMat3; 2],
 }
 
 impl<'a> UnitVectors<'a> {
-    /// A face of an object with these normals.
-    pub fn new(face: &'a Face, normals: &Affine, surface: Surface<'a>) -> Self {
+    /// A face of an object with these normals; `to_lights` is overwritten.
+    pub fn new(
+        face: &'a Face,
+        normals: &Affine,
+        surface: Surface<'a>,
+        to_lights: &'a mut Vec<[DVec3; 4]>,
+    ) -> Self {
         let (uvs, lens) = (face.corners, &face.rays.lens);
         let corners = uvs.map(|uv| face.from_eye(uv));
         let lights = surface.illumination.points.iter();
-        let to_lights = lights.map(|light| {
+        to_lights.clear();
+        to_lights.extend(lights.map(|light| {
             let light = light.position - lens.eye;
             corners.map(|corner| unit(light - corner))
-        });
+        }));
         // The depths of the corners on the screen, where they have a position there.
         let depths = corners.map(|corner| {
             let depth = lens.axes[2].dot(corner);
@@ -67,7 +73,7 @@ impl<'a> UnitVectors<'a> {
                 Projection::Perspective => unit(-corner),
                 Projection::Orthographic => -lens.axes[2],
             }),
-            to_lights: to_lights.collect(),
+            to_lights,
             weights,
         }
     }
@@ -86,7 +92,7 @@ impl<'a> UnitVectors<'a> {
         let (n, o) = (between(&self.normals), between(&self.to_eye));
         let mut levels = self.surface.ambient();
         let lights = self.surface.illumination.points.iter();
-        for (light, to_light) in lights.zip(&self.to_lights) {
+        for (light, to_light) in lights.zip(self.to_lights) {
             let [diffuse, specular] = self.surface.coefficients(light);
             let l = between(to_light);
             let cosine = n.dot(l);

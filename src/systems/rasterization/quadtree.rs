@@ -4,6 +4,7 @@
 //! band, so the choice does not depend on the number of threads.
 
 use fearless_simd::{Level, Simd};
+use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
@@ -27,6 +28,7 @@ impl DrawList {
     pub fn shade(&self, level: Level, piece: &Piece, band: &mut Band, scratch: &mut Scratch) {
         let Scratch {
             lights,
+            to_lights,
             pixels: listed,
             counts,
             ..
@@ -50,7 +52,7 @@ impl DrawList {
         }
         let object = &self.objects[piece.object];
         let face = Face::new(&piece.plane, &object.transform, object.half, &self.rays);
-        let shader = &mut self.shader(object, &face, lights);
+        let shader = &mut self.shader(object, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
@@ -69,6 +71,7 @@ impl DrawList {
         object: &'a Object,
         face: &'a Face,
         lights: &'a mut Vec<FaceLight>,
+        to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Shader<'a> {
         let (material, centre) = (&object.material, object.transform.position);
         let surface = Surface::new(material, &self.illumination, centre);
@@ -88,7 +91,7 @@ impl DrawList {
                 ))
             }
             ShadingMode::UnitVectors => {
-                Shader::UnitVectors(UnitVectors::new(face, &normals(), surface))
+                Shader::UnitVectors(UnitVectors::new(face, &normals(), surface, to_lights))
             }
         }
     }
