@@ -36,6 +36,11 @@ impl Drawn {
             overlaps: false,
         }
     }
+
+    /// Records, after clearing, that a span is drawn. Where pieces overlap, [`Band::will_draw`] has not met all of them.
+    pub fn drew(&mut self, span: &Range<usize>) {
+        self.by_last = joined(self.by_last, [span.start as u32, span.end as u32]);
+    }
 }
 
 /// The buffers of some rows of a frame, for one thread. A buffer that the frame does not keep is empty.

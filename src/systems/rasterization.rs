@@ -73,15 +73,14 @@ fn compare<S: Simd>(
     if several {
         scratch.covered.resize(rows.len() * words, 0);
     }
-    let mut overlaps = false;
-    for piece in list.strip(strip) {
-        for (row, span) in list.spans(piece).within(rows) {
+    let overlaps = list.strip(strip).any(|piece| {
+        let spans = list.spans(piece);
+        spans.within(rows).any(|(row, span)| {
             band.will_draw(row, &span, !several);
             let first = (row - rows.start) * words;
-            overlaps =
-                overlaps || several && set_bits(&mut scratch.covered[first..first + words], span);
-        }
-    }
+            several && set_bits(&mut scratch.covered[first..first + words], span)
+        })
+    });
     band.clear(rows.clone(), overlaps);
     if overlaps {
         let depths = &mut scratch.depths;
@@ -101,6 +100,7 @@ fn compare<S: Simd>(
                 let start = (row - rows.start) * band.width;
                 let depths = &mut scratch.depths[start + span.start..start + span.end];
                 write_nearest(simd, piece, &nearness, [x, y], depths, ids);
+                band.drawn[row - band.rows.start].drew(&span);
             } else {
                 ids.fill(piece.id);
             }
