@@ -202,9 +202,16 @@ fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Resu
 /// # Errors
 /// If it is larger or cannot be read.
 pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
+    read_from(File::open(path)?, largest)
+}
+
+/// Reads at most `largest` MiB to the end.
+///
+/// # Errors
+/// If there are more, or they cannot be read.
+pub fn read_from(source: impl Read, largest: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let file = File::open(path)?;
-    file.take((largest << 20) + 1).read_to_end(&mut bytes)?;
+    source.take((largest << 20) + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > largest << 20 {
         let message = format!("it is larger than {largest} MiB");
         return Err(io::Error::new(ErrorKind::FileTooLarge, message));

@@ -1,6 +1,6 @@
 //! The picture of another program, read from a PNG file.
 
-use std::io::Cursor;
+use std::io::{self, Cursor};
 use std::path::Path;
 
 use anyhow::{Context, anyhow, ensure};
@@ -24,12 +24,12 @@ const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// If there is no such file, it is no PNG, has 16 bits a channel or transparent pixels, or does not fit in memory.
 pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
     let name = one_line(path);
-    let source = if path == "-" {
-        "/dev/stdin".as_ref()
+    let bytes = if path == "-" {
+        scene::read_from(io::stdin().lock(), LARGEST)
     } else {
-        path
+        scene::read(path, LARGEST)
     };
-    let bytes = scene::read(source, LARGEST).with_context(|| format!("cannot read {name}"))?;
+    let bytes = bytes.with_context(|| format!("cannot read {name}"))?;
     ensure!(bytes.starts_with(SIGNATURE), "{name} is not a PNG file");
     let damaged = || anyhow!("{name} is damaged");
     // The file is in memory, and the size of its pixels is checked below.

@@ -16,7 +16,13 @@ use super::input::{Input, KeyReport};
 use super::taps::{self, Taps};
 
 /// One notch of the wheel, as each window system reports it.
-const X11_NOTCH: f32 = 2.0;
+const NOTCH: f32 = if cfg!(windows) {
+    12.0
+} else if cfg!(target_os = "macos") {
+    1.0
+} else {
+    2.0
+};
 const WAYLAND_NOTCH: f32 = -10.0;
 
 /// There is nothing to open a window on; nothing has been done.
@@ -180,7 +186,7 @@ impl Display {
         let Some((_, turned)) = self.window.get_scroll_wheel() else {
             return;
         };
-        let notch = [X11_NOTCH, WAYLAND_NOTCH][usize::from(self.is_wayland)];
+        let notch = [NOTCH, WAYLAND_NOTCH][usize::from(self.is_wayland)];
         self.wheel += turned / notch;
         let notches = self.wheel.trunc();
         if notches != 0.0 {

@@ -115,8 +115,11 @@ impl Input {
     fn held_modifiers(&self) -> Modifiers {
         let is_held = |keys: [Reported; 2]| keys.iter().any(|key| self.held.contains(key));
         let control = is_held([Reported::LeftCtrl, Reported::RightCtrl]);
+        // Windows reports AltGr, which is part of a character, as Ctrl and the right Alt.
+        let is_alt_gr = control && self.held.contains(&Reported::RightAlt);
+        let control = control && !is_alt_gr;
         Modifiers {
-            alt: is_held([Reported::LeftAlt, Reported::RightAlt]),
+            alt: is_held([Reported::LeftAlt, Reported::RightAlt]) && !is_alt_gr,
             ctrl: control,
             shift: is_held([Reported::LeftShift, Reported::RightShift]),
             mac_cmd: false,
@@ -164,6 +167,22 @@ mod tests {
             _ => None,
         });
         pressed.collect()
+    }
+
+    #[test]
+    fn alt_gr_is_no_modifier() {
+        use KeyReport::{Character, Down};
+        let mut input = Input::default();
+        for report in [
+            Down(Reported::LeftCtrl),
+            Down(Reported::RightAlt),
+            Down(Reported::Key8),
+            Character('['),
+        ] {
+            input.report(report);
+        }
+        assert_eq!(input.modifiers, Modifiers::NONE);
+        assert!(input.events.contains(&Event::Text("[".to_owned())));
     }
 
     #[test]
