@@ -28,7 +28,8 @@ const CHART: f32 = 190.0;
 const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The line joins the best trades. A ring marks the \
                        method on screen, and a white line the budget. A click on a dot chooses its method. Errors above \
-                       one level are visible.";
+                       one level are visible. Frames are drawn by all cores, or as many as --threads says; `trade` \
+                       uses one.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.

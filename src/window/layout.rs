@@ -25,7 +25,8 @@ const WIDE: f32 = 1200.0;
 const FOLDED: f32 = 22.0;
 
 const METHOD: &str = "The method on screen.";
-const TIME: &str = "The median time of a frame, without the window around it; that of the last frame until it is measured.";
+const TIME: &str = "The median time of a frame on all cores, or as many as --threads says, without the window around it; that of \
+                    the last frame until it is measured.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
 const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance, \
                       or within 0.05 if that is 0.";
