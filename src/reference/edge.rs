@@ -111,3 +111,35 @@ pub fn inside<'a, R: Real + 'a>(
     }
     inside
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::interval::Interval;
+
+    #[test]
+    fn places_lie_beside_a_near_edge_and_beside_the_centre_on_both_sides() {
+        let centre = Place {
+            offset: [0.0; 2],
+            margin: EDGE,
+        };
+        for distance in [-0.0099, -0.005, 0.0, 0.005, 0.0099, 0.0101] {
+            // The line 4 x + 3 y = 5 distance.
+            let [at_centre, right, down] = [-5.0 * distance, 4.0, 3.0].map(Interval::of);
+            let edge = EdgeFunction::new(at_centre, [right, down]);
+            let mut sides = [0; 4];
+            for Place { offset, .. } in edge.places(centre) {
+                let [x, y] = offset;
+                assert!(x.hypot(y) <= EDGE + ROOM, "{distance}: {offset:?}");
+                let across = (4.0 * x + 3.0 * y) / 5.0;
+                let beside = [distance + ROOM, distance - ROOM, ROOM, -ROOM];
+                let beside = beside.map(|it| (across - it).abs() < 1e-9);
+                assert!(beside.contains(&true), "{distance}: {offset:?}");
+                for (side, is_beside) in sides.iter_mut().zip(beside) {
+                    *side += u32::from(is_beside);
+                }
+            }
+            assert_eq!(!sides.contains(&0), distance.abs() < EDGE, "{distance}");
+        }
+    }
+}

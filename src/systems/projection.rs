@@ -135,6 +135,10 @@ mod tests {
                 [140 * 256, 80 * 256]
             ]
         );
+        // A wider one is cut at the guard band.
+        let wide = project_at(DVec3::ZERO, DVec3::new(1e9, 4.0, 2.0), &view);
+        let ends = wide.polygons[4].vertices().iter().map(|[x, _]| x / 256);
+        assert!(ends.eq([-1, 1, 1, -1].map(|side| 150 + side * 2_097_152)));
     }
 
     #[test]

@@ -4,8 +4,10 @@ use std::fs;
 use std::process::{Command, Stdio};
 
 use serde_json::{Value, json};
+use shadetrade::scene::SceneRecord;
 
-use super::{SCENE, folder, get, listing, put, said};
+use super::{SCENE, assert_failed, folder, get, listing, put, said, shadetrade};
+use crate::support::window::default_scene;
 use crate::trade::contract;
 
 #[cfg(unix)]
@@ -65,4 +67,32 @@ fn a_measurement_goes_on_if_the_program_is_removed() {
     fs::remove_file(&program).expect("it is there");
     let output = child.wait_with_output().expect("it ends");
     assert!(output.status.success(), "{}", said(&output));
+}
+
+#[test]
+fn a_batch_from_elsewhere_is_checked_before_it_is_drawn() {
+    let record = SceneRecord::of(&default_scene().world);
+    let batch = json!({
+        "scene": record, "size": [4, 3], "threads": 1, "simd": "fallback", "methods": ["phong-0"],
+        "time": { "secs": 0, "nanos": 0 }, "number": 0,
+    });
+    let folder = folder();
+    let run = |place: &str, value: Value| {
+        let mut batch = batch.clone();
+        *batch.pointer_mut(place).expect("it is there") = value;
+        put(folder.path(), "batch.json", batch.to_string());
+        let batch = fs::File::open(folder.path().join("batch.json")).expect("it is there");
+        let mut program = shadetrade(folder.path());
+        let output = program.args(["trade", "--batch"]).stdin(batch).output();
+        output.expect("the program starts")
+    };
+    let output = run("/number", json!(1));
+    assert!(output.status.success(), "{}", said(&output));
+    for (place, value, word) in [
+        ("/scene/camera/0/target", json!([7, 5, 8]), "target"),
+        ("/simd", json!("sse9"), "SIMD"),
+        ("/methods/0", json!("phong-3"), "method"),
+    ] {
+        assert_failed(&run(place, value), 1, word);
+    }
 }
