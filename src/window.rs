@@ -3,19 +3,22 @@
 //! ```text
 //! minifb --reports--> input --events of egui--> App::step --pixels, effects--> minifb
 //!                                                  |
-//!              keys, panel, inspector, viewport <--'--> questions (threads in the background)
+//!                   document, canvas, study, choice, desk <--written and shown by-- keys, panel, inspector, viewport
 //! ```
 //! Only [`display`] and [`run`] need a display. A step is taken when something happens; else nothing is laid out, drawn or
 //! painted.
 
 mod actions;
 pub mod app;
-mod budget;
-mod chart;
+pub mod canvas;
+pub mod chart;
+pub mod choice;
 pub mod clipboard;
 pub mod comparison;
+pub mod controls;
+pub mod desk;
 pub mod display;
-mod edits;
+pub mod document;
 pub mod facts;
 pub mod file;
 pub mod history;
@@ -25,14 +28,13 @@ pub mod keys;
 mod layout;
 pub mod lesson;
 pub mod lights;
-mod panel;
+pub mod panel;
 pub mod pictures;
-mod questions;
-mod screen;
+pub mod study;
 mod tags;
 mod taps;
 pub mod unsaved;
-pub mod viewport;
+mod viewport;
 pub mod widgets;
 
 use std::sync::Arc;
@@ -69,7 +71,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, true)?;
     let start = Instant::now();
-    app.keep_edits(unsaved::user_folders());
+    app.document.keep_edits(unsaved::user_folders());
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
@@ -79,7 +81,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
         .context("cannot wait for signals to end")?;
     loop {
         let must_end = !display.window.is_open() || ends.load(Ordering::Relaxed);
-        if app.quits || must_end {
+        if app.desk.quits || must_end {
             if app.may_close(must_end)? {
                 return Ok(());
             }
@@ -92,7 +94,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
         match display.clipboard.receive(now) {
             Some(Ok(text)) => display.input.events.push(Event::Paste(text)),
             Some(Err(error)) => {
-                app.say(format!("not pasted: {error:#}"));
+                app.desk.say(format!("not pasted: {error:#}"));
                 due = now;
             }
             None => {}
@@ -110,7 +112,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
             };
             let output = app.step(now, window, input)?;
             due = now.saturating_add(output.repaint_after);
-            let new = app.title();
+            let new = app.document.title();
             if title != new {
                 title = new;
                 display.window.set_title(&title);
@@ -118,7 +120,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
             if let Some(text) = output.copied
                 && let Err(error) = display.clipboard.copy(text)
             {
-                app.say(format!("not copied: {error:#}"));
+                app.desk.say(format!("not copied: {error:#}"));
             }
             display.present(&app.pixels, app.size)?;
             present_again = now + PRESENT_AGAIN;

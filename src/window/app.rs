@@ -1,108 +1,53 @@
 //! The program behind the window, without a display: events and a size in, pixels and effects out.
 //!
 //! ```text
-//! events --> keys, panels --write--> World --SceneRecord--> changed? --> undo, questions
-//!                                      |
-//!                                      '--systems--> picture --copied--> pixels <--painted-- egui
+//!   events                                          desk  open, folded, selected, said
+//!     |                                             |
+//!     v                                             v
+//!   keys, panels --write--> World (document) --> choice --> canvas --copied--> pixels <--painted-- egui
+//!                                 |             method       draws
+//!                                 '--change--> study  questions, facts
 //! ```
-//! The World is the only state of the scene and of how it is looked at. A change is a difference between two
-//! [`SceneRecord`]s, whatever made it.
+//! Each room is a struct of its own and knows no other; [`App`] carries values between them.
 
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::borrow::Cow;
 use std::time::Duration;
 
-use egui::util::undoer::Undoer;
-use egui::{Event, OutputCommand, RawInput, Rect, ViewportId};
+use egui::{Event, OutputCommand, RawInput, ViewportId};
 use hecs::{Ref, RefMut};
-use rayon::ThreadPool;
 
-use super::facts::{Facts, Question, Work, pool};
-use super::file::{INTERVAL, SceneFile};
-use super::history::{State, history};
+use super::canvas::{Canvas, REST};
+use super::choice::Choice;
+use super::controls::Rotation;
+use super::desk::{Command, Desk, TURN};
+use super::document::Document;
+use super::facts::pool;
+use super::file::INTERVAL;
 use super::inspector::Tab;
-use super::pictures::Pictures;
-use super::unsaved::Unsaved;
-use crate::components::{View, Viewer, viewer, viewer_mut};
+use super::study::{Study, Subject, change};
+use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
-use crate::scene::{Scene, SceneRecord};
+use crate::probe::Probe;
+use crate::scene::Scene;
 use crate::shading::Method;
 
-/// The time without a change after which the picture is compared, measured and proven.
-pub const REST: Duration = Duration::from_millis(100);
 /// The width of a window that opens without its panel, in pixels.
 const NARROW: usize = 430;
-/// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
-const DEGREE: Duration = Duration::from_millis(30);
-/// How long each of two pictures is shown while they take turns.
-pub const TURN: Duration = Duration::from_millis(500);
 
 /// Everything but the display.
 pub struct App {
-    pub scene: Scene,
-    pub facts: Facts,
+    pub document: Document,
+    pub canvas: Canvas,
+    pub study: Study,
+    pub choice: Choice,
     pub desk: Desk,
-    pub pictures: Pictures,
-    pub history: Undoer<State>,
-    pub file: SceneFile,
-    /// `None` where edits are not kept.
-    pub unsaved: Option<Unsaved>,
-    /// The World as it was last written down.
-    pub state: Arc<SceneRecord>,
-    /// The place of the picture, in points.
-    pub place: Rect,
-    /// Files without a path of their own are written here.
-    pub folder: PathBuf,
-    /// Whether times are shown; they are the machine's, and differ from run to run.
-    pub shows_times: bool,
-    pub now: Duration,
-    pub quits: bool,
-    /// Whether a field or a popup of the last layout takes Escape.
-    pub(super) takes_escape: bool,
-    pub(super) painter: Painter,
+    pub(super) rotation: Rotation,
+    painter: Painter,
     /// The pixels of the window as of the last step, row by row from the top.
     pub pixels: Vec<u32>,
     /// Width and height of the window, in pixels.
     pub(super) size: [usize; 2],
-    /// The threads that answer questions.
-    pub(super) pool: Option<ThreadPool>,
-    /// The work on a question.
-    pub(super) work: Option<Work>,
-    /// When the picture last changed, until it rests.
-    pub(super) moved: Option<Duration>,
-    next_degree: Duration,
-    pub(super) next_progress: Duration,
-    /// The method that holds the budget: the machine's choice, and so no part of the scene.
-    pub(super) held: Option<Method>,
-    /// The state and the view that were drawn last.
-    pub(super) drawn: Option<(Arc<SceneRecord>, View)>,
-}
-
-/// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
-pub type EntityPlace = (&'static str, usize);
-
-/// The state of the window that is not the scene's: nothing of it changes the picture that is judged.
-#[derive(Default)]
-pub struct Desk {
-    pub help: bool,
-    pub panel_folded: bool,
-    /// Whether the inspector has a room of its own beside the picture.
-    pub has_room: bool,
-    /// The open tab of the inspector; `None` is folded.
-    pub tab: Option<Tab>,
-    /// Two pictures take turns since this time, while a key is held.
-    pub blinks: Option<Duration>,
-    /// Of the status line, and when it goes.
-    pub message: Option<(String, Duration)>,
-    /// The error in the scene's file.
-    pub file_error: Option<String>,
-    /// The step of the lesson, counted from 0.
-    pub step: usize,
-    /// The entity that the scene's tab shows.
-    pub selected: Option<EntityPlace>,
-    /// The pixel that was clicked, until it is known which cuboid it shows. That one is selected then.
-    pub clicked: Option<[usize; 2]>,
 }
 
 /// The part of a step that the window system carries out.
@@ -119,57 +64,70 @@ impl App {
     /// # Errors
     /// If the system gives no threads.
     pub fn new(drawing: Drawing, has_threads: bool) -> anyhow::Result<Self> {
-        let workers = drawing.workers()?;
-        let scene = drawing.scene;
-        let state = Arc::new(SceneRecord::of(&scene.world));
+        let canvas = Canvas::new(drawing.workers()?);
+        let document = Document::of(drawing.scene);
         let painter = Painter::default();
         super::widgets::apply_style(&painter.context);
         let desk = Desk {
+            shows_times: true,
             panel_folded: drawing.size[0] < NARROW,
-            tab: state.view.pixel.map(|_| Tab::Pixel),
+            tab: document.state.view.pixel.map(|_| Tab::Pixel),
             ..Desk::default()
         };
         Ok(App {
-            history: history(&state),
-            file: SceneFile::of(&scene),
-            unsaved: None,
-            scene,
-            state,
-            facts: Facts::default(),
+            document,
+            canvas,
+            study: Study::new(has_threads.then(pool).transpose()?),
+            choice: Choice::default(),
             desk,
-            pictures: Pictures::new(workers),
-            place: Rect::ZERO,
-            folder: PathBuf::from("."),
-            shows_times: true,
-            now: Duration::ZERO,
-            quits: false,
-            takes_escape: false,
+            rotation: Rotation::default(),
             painter,
             pixels: Vec::new(),
             size: drawing.size,
-            pool: has_threads.then(pool).transpose()?,
-            work: None,
-            moved: None,
-            next_degree: Duration::ZERO,
-            next_progress: Duration::ZERO,
-            drawn: None,
-            held: None,
         })
     }
 
     /// The viewer of the scene.
     pub fn viewer(&self) -> Ref<'_, Viewer> {
-        viewer(&self.scene.world)
+        viewer(&self.document.scene.world)
     }
 
     /// The viewer of the scene, to be changed.
     pub fn viewer_mut(&mut self) -> RefMut<'_, Viewer> {
-        viewer_mut(&mut self.scene.world)
+        viewer_mut(&mut self.document.scene.world)
     }
 
-    /// Pixels of the window in a point of egui.
-    pub fn scale(&self) -> f32 {
-        self.painter.context.pixels_per_point()
+    /// The pixel that is explained, if it lies in the picture.
+    pub fn pixel(&self) -> Option<[usize; 2]> {
+        self.canvas.pixel(&self.viewer())
+    }
+
+    /// The answer about the explained pixel, possibly of an earlier picture.
+    pub fn probed(&self) -> Option<&Probe> {
+        self.study.facts.probed(self.pixel())
+    }
+
+    /// The view that is drawn.
+    pub fn view(&self) -> View {
+        let world = &self.document.scene.world;
+        self.choice.view(world, self.canvas.size())
+    }
+
+    /// The method on screen; `None` where the cuboids have different modes.
+    pub fn method(&self) -> Option<Method> {
+        self.choice.method(&self.document.scene.world)
+    }
+
+    /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
+    pub fn milliseconds(&self) -> Option<f64> {
+        let measured = self.study.facts.measured_time(self.method());
+        measured.or(self.canvas.pictures.time)
+    }
+
+    /// The picture as it is shown, 0x00RRGGBB.
+    pub fn shown(&self) -> Cow<'_, [u32]> {
+        let (viewer, turn) = (self.viewer(), self.desk.turn());
+        self.canvas.shown(&viewer, &self.study.facts, turn)
     }
 
     /// Applies the events of `input` and draws the window of `size` pixels.
@@ -210,63 +168,46 @@ impl App {
         size: [usize; 2],
         mut input: RawInput,
     ) -> anyhow::Result<StepOutput> {
-        self.now = now;
+        self.desk.now = now;
         self.receive(now);
-        let is_gesture = |begins: bool| {
-            input.events.iter().any(|event| match event {
-                Event::Key {
-                    pressed,
-                    repeat: false,
-                    ..
-                }
-                | Event::PointerButton { pressed, .. } => *pressed == begins,
-                _ => false,
-            })
-        };
-        let [begins, ends] = [true, false].map(is_gesture);
-        self.keep_state(begins);
+        let [begins, ends] = [true, false].map(|begins| has_gesture(&input, begins));
+        self.document.keep(now, begins);
         if begins {
-            // The press may change the picture, and frames that are being timed would delay it.
-            self.work.take_if(|work| work.question == Question::Measure);
+            self.study.stop_timing();
         }
-        self.spin_on();
-        match self.file.look(self.scene.path.as_deref(), now) {
-            Some(Ok(scene)) => {
-                self.keep_state(true);
-                self.reload(scene);
-            }
-            Some(Err(error)) => self.desk.file_error = Some(error),
-            None => {}
-        }
+        let world = &mut self.document.scene.world;
+        self.rotation.go_on(world, now);
+        self.look_at_file(now);
         input.time = Some(now.as_secs_f64());
-        input.screen_rect = Some(area(size) / self.scale());
         let context = self.painter.context.clone();
+        input.screen_rect = Some(area(size) / context.pixels_per_point());
         let mut output = context.run_ui(input, |ui| self.ui(ui));
-        self.note_changes();
-        self.keep_state(ends);
-        self.tend_edits();
-        self.outdate();
-        self.hold_time();
-        // A budget may be held by another method now.
-        self.outdate();
+        self.document.keep(now, ends);
+        if let Err(error) = self.document.tend_edits(now) {
+            self.desk.say(format!("{error:#}"));
+        }
         self.draw()?;
-        self.ask();
-        self.copy_picture(size);
+        self.size = size;
+        let mut pixels = std::mem::take(&mut self.pixels);
+        // A panel may paint less than it takes: contents that are too wide are cut off.
+        let [red, green, blue, _] = context.global_style().visuals.panel_fill.to_array();
+        let ground = u32::from_be_bytes([0, red, green, blue]);
+        self.canvas.copy(&self.shown(), &mut pixels, size, ground);
+        self.pixels = pixels;
         let commands = std::mem::take(&mut output.platform_output.commands);
         let copied = |command| match command {
             OutputCommand::CopyText(text) => Some(text),
             _ => None,
         };
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
-        let turns = self.viewer().turns;
-        let unsaved = self.unsaved.as_ref().and_then(|it| it.due);
+        let due = self.document.edits_due();
         let waits = [
             viewport.map(|it| it.repaint_delay),
-            self.moved.map(|_| REST),
+            (!self.canvas.rests()).then_some(REST),
             self.desk.blinks.map(|_| TURN / 10),
-            turns.then(|| self.next_degree.saturating_sub(now)),
-            self.scene.path.as_ref().map(|_| INTERVAL),
-            unsaved.map(|due| due.saturating_sub(now)),
+            self.rotation.wait(&self.document.scene.world, now),
+            self.document.scene.path.as_ref().map(|_| INTERVAL),
+            due.map(|due| due.saturating_sub(now)),
         ];
         let repaint_after = waits.into_iter().flatten().min();
         self.painter.paint(output, &mut self.pixels, size);
@@ -276,71 +217,147 @@ impl App {
         })
     }
 
-    /// Shows a message for as long as it takes to read.
-    pub fn say(&mut self, text: impl Into<String>) {
-        let text = text.into();
-        let until = self.now + reading_time(&text);
-        self.desk.message = Some((text, until));
-    }
-
-    /// Puts the World into another state.
-    pub fn restore(&mut self, record: &SceneRecord) {
-        let turns = self.viewer().turns;
-        self.scene.world = record.spawn();
-        self.viewer_mut().turns = turns;
-    }
-
-    /// Notes the state that keys and widgets made. One that no scene may have is taken back.
-    fn note_changes(&mut self) {
-        let record = SceneRecord::of(&self.scene.world);
-        if record == *self.state {
-            return;
+    /// Reads the file of the scene again if another program changed it.
+    fn look_at_file(&mut self, now: Duration) {
+        let path = self.document.scene.path.as_deref();
+        match self.document.file.look(path, now) {
+            Some(Ok(scene)) => {
+                self.document.keep(now, true);
+                self.desk.file_error = None;
+                let message = self.document.reload(scene);
+                self.desk.say(message);
+            }
+            Some(Err(error)) => self.desk.file_error = Some(error),
+            None => {}
         }
-        match record.check() {
-            Ok(()) => {
-                let pixel = record.view.pixel;
-                if pixel != self.state.view.pixel && self.desk.tab.is_none() {
-                    self.desk.tab = pixel.map(|_| Tab::Pixel);
+    }
+
+    /// Notes the state that keys and widgets made. An explained pixel opens the tab for it.
+    pub(super) fn note_changes(&mut self) {
+        let before = self.document.state.view.pixel;
+        let refused = self.document.note();
+        self.desk.say_any(refused);
+        let pixel = self.document.state.view.pixel;
+        if pixel != before && self.desk.tab.is_none() {
+            self.desk.tab = pixel.map(|_| Tab::Pixel);
+        }
+    }
+
+    /// Draws the present picture, and asks the questions about it.
+    fn draw(&mut self) -> anyhow::Result<()> {
+        self.outdate();
+        let last = self.canvas.last_frame(&self.document.state);
+        let budget = self.viewer().budget;
+        self.choice.hold(budget, &self.study.facts, last);
+        // A budget may be held by another method now.
+        self.outdate();
+        let (view, method) = (self.view(), self.method());
+        let Document { scene, state, .. } = &mut self.document;
+        self.canvas
+            .draw(self.desk.now, &mut scene.world, state, view)?;
+        let subject = Subject {
+            name: &scene.name,
+            record: state,
+            view,
+            method,
+            workers: self.canvas.pictures.frame.workers(),
+            rests: self.canvas.rests(),
+        };
+        self.study.ask(&subject, &self.desk);
+        if !self.study.is_live() {
+            self.receive(self.desk.now);
+        }
+        Ok(())
+    }
+
+    /// Outdates the facts that are not those of the picture to be drawn.
+    fn outdate(&mut self) {
+        if let Some((state, view)) = &self.canvas.drawn {
+            let change = change((state, view), (&self.document.state, &self.view()));
+            let pixel = self.pixel();
+            self.study.outdate(change, pixel);
+        }
+    }
+
+    /// Takes the answers that were found. Returns whether the window has to be drawn again, also for progress.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let is_new = self.study.receive(now);
+        let failure = self.study.take_failure();
+        self.desk.say_any(failure);
+        if self.study.facts.section.is_current && std::mem::take(&mut self.desk.has_clicked) {
+            let surface = self.probed().and_then(|probe| probe.surface.as_ref());
+            if let Some(object) = surface.map(|surface| surface.object.clone()) {
+                let world = &self.document.scene.world;
+                self.desk.select::<Mesh>(world, "cuboid", &object);
+            }
+        }
+        is_new
+    }
+
+    /// Shows another scene in place of this one.
+    pub fn open(&mut self, scene: Scene) {
+        self.document.open(scene);
+        self.show_document();
+    }
+
+    /// Shows a document that was just opened.
+    pub(super) fn show_document(&mut self) {
+        self.study.clear();
+        self.desk.selected = None;
+        self.desk.tab = self.document.state.view.pixel.map(|_| Tab::Pixel);
+        self.desk.file_error = None;
+    }
+
+    /// Carries out a wish of a widget.
+    pub(super) fn carry_out(&mut self, command: Command) {
+        let now = self.desk.now;
+        match command {
+            Command::Run(action) => self.run(action),
+            Command::Worst(side) => self.explain_worst(Some(side)),
+            Command::Open(scene) => match self.document.choose(*scene) {
+                Ok(message) => {
+                    self.show_document();
+                    self.desk.say_any(message);
                 }
-                self.state = Arc::new(record);
+                Err(error) => self.desk.say(format!("not opened: {error:#}")),
+            },
+            Command::RestoreEdits => {
+                if let Err(error) = self.document.restore_edits(now) {
+                    self.desk.say(format!("not restored: {error:#}"));
+                }
             }
-            Err(reason) => {
-                self.restore(&Arc::clone(&self.state));
-                self.say(reason.to_string());
+            Command::DiscardEdits => {
+                if let Err(error) = self.document.discard_edits() {
+                    self.desk.say(format!("not discarded: {error:#}"));
+                }
             }
         }
     }
 
-    /// Tells the history the present state. A step of undo ends with it if a gesture begins or ends.
-    pub(super) fn keep_state(&mut self, ends_step: bool) {
-        let state = State(Arc::clone(&self.state));
-        self.history.feed_state(self.now.as_secs_f64(), &state);
-        if ends_step {
-            self.history.add_undo(&state);
+    /// Writes unsaved edits before the window closes. If that fails, the window stays unless it `must` close.
+    ///
+    /// # Errors
+    /// If it must close and the edits cannot be written.
+    pub fn may_close(&mut self, must: bool) -> anyhow::Result<bool> {
+        let closed = self.document.close();
+        if let (Err(error), false) = (&closed, must) {
+            self.desk.quits = false;
+            self.desk.say(format!("not closed: {error:#}"));
+            return Ok(false);
         }
-    }
-
-    fn spin_on(&mut self) {
-        if !self.viewer().turns || self.now < self.next_degree {
-            return;
-        }
-        let late = self.now.saturating_sub(self.next_degree);
-        let degrees = 1 + (late.as_millis() / DEGREE.as_millis()) as u32;
-        self.next_degree += DEGREE * degrees;
-        let mut viewer = self.viewer_mut();
-        viewer.turned = (viewer.turned + degrees) % 360;
-    }
-
-    /// Starts and stops the rotation.
-    pub fn rotate(&mut self) {
-        self.next_degree = self.now + DEGREE;
-        self.viewer_mut().turns ^= true;
+        closed.map(|()| true)
     }
 }
 
-/// The time for which a message stands.
-pub fn reading_time(text: &str) -> Duration {
-    const LEAST: Duration = Duration::from_secs(3);
-    const LETTER: Duration = Duration::from_millis(60);
-    LEAST.max(LETTER * text.len() as u32)
+/// Whether a key or the button goes down, or up.
+fn has_gesture(input: &RawInput, begins: bool) -> bool {
+    input.events.iter().any(|event| match event {
+        Event::Key {
+            pressed,
+            repeat: false,
+            ..
+        }
+        | Event::PointerButton { pressed, .. } => *pressed == begins,
+        _ => false,
+    })
 }

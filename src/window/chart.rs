@@ -9,11 +9,14 @@
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
+use hecs::World;
 
-use super::app::App;
+use super::choice::Choice;
+use super::controls::choose_method;
 use super::keys::{Action, caption};
+use super::study::Study;
 use super::widgets::{GOURAUD, INK, PHONG, mode_ink, rounded, short};
-use crate::components::{ShadingMode, Side};
+use crate::components::{ShadingMode, viewer};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
@@ -46,110 +49,94 @@ fn place(one: &Measurement) -> [f64; 2] {
     logarithms(place_of(one))
 }
 
-impl App {
-    /// Shows the measured methods of this view. A click or Enter on a dot chooses one.
-    pub fn chart(&mut self, ui: &mut Ui) {
-        if !self.shows_times {
-            return;
-        }
-        ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
-            ui.set_min_height(SENTENCE);
-            self.sentence(ui);
-        });
-        let caption = ui.small(match (self.facts.trade.is_current, self.progress()) {
-            (false, Some((step, _))) => step,
-            (false, None) if self.facts.trade.value.is_none() => "times follow".to_owned(),
-            (false, None) => "measured before the last change; new times follow".to_owned(),
-            _ => "up: error, levels; right: ms a frame".to_owned(),
-        });
-        caption.on_hover_text(CAPTION);
-        let measured = self.facts.trade.value.iter().flatten().cloned();
-        let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
-        let mut axes = axes().width(ui.available_width() - BESIDE);
-        if known.is_empty() {
-            axes = axes.include_x(-1.0).include_x(1.0);
-        }
-        let budget = self.viewer().budget;
-        let shown = ui.scope(|ui| {
-            // The keyboard's focus goes to the dots, not to the axes.
-            ui.visuals_mut().disabled_alpha = 1.0;
-            ui.disable();
-            axes.show(ui, |plot| {
-                draw(plot, &known);
-                if let Some(budget) = budget {
-                    let [time, _] = logarithms((budget, 1.0));
-                    plot.vline(VLine::new("budget", time).color(Color32::WHITE));
-                }
-            })
-        });
-        let shown = shown.inner;
-        let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
-        let write = |at: Pos2, align: Align2, text: &str, ink: Color32| {
-            let letters = FontId::proportional(10.0);
-            ui.painter().text(at, align, text, letters, ink).right_top()
-        };
-        let errors = "visible errors";
-        write(room.right_top(), Align2::RIGHT_TOP, errors, Color32::GRAY);
-        let end = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
-        write(end + vec2(6.0, 0.0), Align2::LEFT_TOP, "Phong", PHONG);
-        let method = self.method();
-        for one in &known {
-            let place = PlotPoint::from(place(one));
-            let at = shown.transform.position_from_point(&place);
-            self.dot(ui, one, at);
-            if Some(one.method) == method {
-                let line = (2.0, Color32::WHITE);
-                ui.painter().circle_stroke(at, RING, line);
+/// Shows the measured methods of this view. A click or Enter on a dot chooses one.
+pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
+    let trade = &study.facts.trade;
+    let method = choice.method(world);
+    ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
+        ui.set_min_height(SENTENCE);
+        sentence_about(ui, trade.value.as_deref().unwrap_or_default(), method);
+    });
+    let caption = ui.small(match (trade.is_current, study.progress()) {
+        (false, Some((step, _))) => step,
+        (false, None) if trade.value.is_none() => "times follow".to_owned(),
+        (false, None) => "measured before the last change; new times follow".to_owned(),
+        _ => "up: error, levels; right: ms a frame".to_owned(),
+    });
+    caption.on_hover_text(CAPTION);
+    let measured = trade.value.iter().flatten().cloned();
+    let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
+    let mut axes = axes().width(ui.available_width() - BESIDE);
+    if known.is_empty() {
+        axes = axes.include_x(-1.0).include_x(1.0);
+    }
+    let budget = viewer(world).budget;
+    let shown = ui.scope(|ui| {
+        // The keyboard's focus goes to the dots, not to the axes.
+        ui.visuals_mut().disabled_alpha = 1.0;
+        ui.disable();
+        axes.show(ui, |plot| {
+            draw(plot, &known);
+            if let Some(budget) = budget {
+                let [time, _] = logarithms((budget, 1.0));
+                plot.vline(VLine::new("budget", time).color(Color32::WHITE));
             }
+        })
+    });
+    let shown = shown.inner;
+    let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
+    let write = |at: Pos2, align: Align2, text: &str, ink: Color32| {
+        let letters = FontId::proportional(10.0);
+        ui.painter().text(at, align, text, letters, ink).right_top()
+    };
+    let errors = "visible errors";
+    write(room.right_top(), Align2::RIGHT_TOP, errors, Color32::GRAY);
+    let end = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
+    write(end + vec2(6.0, 0.0), Align2::LEFT_TOP, "Phong", PHONG);
+    for one in &known {
+        let place = PlotPoint::from(place(one));
+        let at = shown.transform.position_from_point(&place);
+        if dot(ui, one, at) {
+            choose_method(world, one.method);
+        }
+        if Some(one.method) == method {
+            let line = (2.0, Color32::WHITE);
+            ui.painter().circle_stroke(at, RING, line);
         }
     }
+}
 
-    /// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.
-    fn sentence(&self, ui: &mut Ui) {
-        let known = self.facts.trade.value.as_deref().unwrap_or_default();
-        let of_method = |method: Method| {
-            let name = capital(&method_name(method));
-            let later = || format!("{name} is not measured yet.");
-            let text = sentence(known, method).unwrap_or_else(later);
-            if method.mode != ShadingMode::Gouraud {
-                return text;
-            }
-            let key = caption(Action::Shading(ShadingMode::Phong));
-            format!("{text} {key} shows Phong.")
-        };
-        let mixed = || "The cuboids are shaded in different modes.".to_owned();
-        let text = self.method().map_or_else(mixed, of_method);
-        ui.colored_label(INK, text);
-    }
+/// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.
+fn sentence_about(ui: &mut Ui, known: &[Measurement], shown: Option<Method>) {
+    let of_method = |method: Method| {
+        let name = capital(&method_name(method));
+        let later = || format!("{name} is not measured yet.");
+        let text = sentence(known, method).unwrap_or_else(later);
+        if method.mode != ShadingMode::Gouraud {
+            return text;
+        }
+        let key = caption(Action::Shading(ShadingMode::Phong));
+        format!("{text} {key} shows Phong.")
+    };
+    let mixed = || "The cuboids are shaded in different modes.".to_owned();
+    let text = shown.map_or_else(mixed, of_method);
+    ui.colored_label(INK, text);
+}
 
-    /// The dot of a method, as a button.
-    fn dot(&mut self, ui: &Ui, one: &Measurement, at: Pos2) {
-        let name = method_name(one.method);
-        let place = Rect::from_center_size(at, Vec2::splat(2.0 * DOT));
-        let response = ui.interact(place, ui.id().with(&name), Sense::click());
-        response.widget_info(|| {
-            WidgetInfo::labeled(WidgetType::Button, true, format!("choose {name}"))
-        });
-        if response.hovered() || response.has_focus() {
-            let line = (1.0, Color32::WHITE);
-            ui.painter().circle_stroke(at, DOT + 2.0, line);
-        }
-        let [time, error] = [one.timing.median, one.largest_error().unwrap_or_default()].map(short);
-        let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
-        if response.on_hover_text(text).clicked() {
-            self.choose_method(one.method);
-        }
+/// The dot of a method, as a button. Returns whether it was clicked.
+fn dot(ui: &Ui, one: &Measurement, at: Pos2) -> bool {
+    let name = method_name(one.method);
+    let place = Rect::from_center_size(at, Vec2::splat(2.0 * DOT));
+    let response = ui.interact(place, ui.id().with(&name), Sense::click());
+    response
+        .widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, format!("choose {name}")));
+    if response.hovered() || response.has_focus() {
+        let line = (1.0, Color32::WHITE);
+        ui.painter().circle_stroke(at, DOT + 2.0, line);
     }
-
-    /// Shades every cuboid by a method. Interpolated unit vectors are no shading mode of scenes: a wipe compares them.
-    pub fn choose_method(&mut self, method: Method) {
-        let (mode, tolerance) = (method.mode, method.tolerance);
-        if mode == ShadingMode::UnitVectors {
-            return self.wipe([Side::Method { mode, tolerance }, Side::Picture]);
-        }
-        self.shade(mode);
-        self.set_tolerance(tolerance);
-    }
+    let [time, error] = [one.timing.median, one.largest_error().unwrap_or_default()].map(short);
+    let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
+    response.on_hover_text(text).clicked()
 }
 
 /// The axes, with a line at each of a few round numbers.

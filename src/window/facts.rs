@@ -13,6 +13,7 @@ use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
 use crate::requires::PartChange;
+use crate::shading::Method;
 use crate::trade::Measurement;
 
 /// The last value found, perhaps of an earlier picture.
@@ -54,6 +55,24 @@ impl Facts {
         self.proof.is_current = false;
         self.required.is_current = false;
         self.trade.is_current &= is_same_view;
+    }
+
+    /// The answer about a pixel, possibly of an earlier picture.
+    pub fn probed(&self, pixel: Option<[usize; 2]>) -> Option<&Probe> {
+        let mut section = self.section.value.iter().flatten();
+        section.find(|probe| Some(probe.pixel) == pixel)
+    }
+
+    /// The measurement of a method, if there is one; [`Facts::trade`] says whether it is that of the present view.
+    pub fn measured(&self, method: Method) -> Option<&Measurement> {
+        let mut measured = self.trade.value.iter().flatten();
+        measured.find(|it| it.method == method)
+    }
+
+    /// The median time of a method in the present view, in milliseconds.
+    pub fn measured_time(&self, method: Option<Method>) -> Option<f64> {
+        let method = method.filter(|_| self.trade.is_current)?;
+        Some(self.measured(method)?.timing.median)
     }
 }
 

@@ -5,11 +5,11 @@ mod scene;
 
 use std::iter;
 
-use egui::{Grid, ProgressBar, Ui};
+use egui::{Grid, Ui};
 
 use super::app::App;
-use super::facts::Latest;
-use super::widgets::{INK, scrolled, short};
+use super::study::Study;
+use super::widgets::{INK, scrolled, short, wait};
 use crate::requires::PartChange;
 
 /// A page of the inspector.
@@ -37,111 +37,107 @@ const TABS: [(Tab, &str, &str); 4] = [
     (Tab::Proof, "Proof", "The proof that the picture keeps its tolerance."),
 ];
 
-impl App {
-    /// Lays out the tabs and the one that is open, of a drawer with a button that folds it.
-    pub fn inspector(&mut self, ui: &mut Ui, is_drawer: bool) {
-        let tab = self.desk.tab.unwrap_or(Tab::Pixel);
-        ui.add_space(4.0);
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 1.0;
-            ui.spacing_mut().button_padding.x = 3.0;
-            for (each, name, says) in TABS {
-                let choice = ui.selectable_label(tab == each, name);
-                if choice.on_hover_text(says).clicked() {
-                    self.desk.tab = Some(each);
-                }
+/// Lays out the tabs and the one that is open, of a drawer with a button that folds it.
+pub fn inspector(ui: &mut Ui, app: &mut App, is_drawer: bool) {
+    let App {
+        document,
+        canvas,
+        study,
+        desk,
+        ..
+    } = app;
+    let tab = desk.tab.unwrap_or(Tab::Pixel);
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 1.0;
+        ui.spacing_mut().button_padding.x = 3.0;
+        for (each, name, says) in TABS {
+            let choice = ui.selectable_label(tab == each, name);
+            if choice.on_hover_text(says).clicked() {
+                desk.tab = Some(each);
             }
-            if is_drawer {
-                let fold = ui.small_button("⏵");
-                if fold.on_hover_text("Folds the inspector (Esc).").clicked() {
-                    self.desk.tab = None;
-                }
-            }
-        });
-        ui.separator();
-        scrolled(ui, tab, |ui| match tab {
-            Tab::Pixel => self.pixel_tab(ui),
-            Tab::Scene => self.scene_tab(ui),
-            Tab::Required => self.required_tab(ui),
-            Tab::Proof => self.proof_tab(ui),
-        });
-    }
-
-    /// A row for each part of the model, the one with the largest error first.
-    fn required_tab(&self, ui: &mut Ui) {
-        let tolerance = self.viewer().tolerance;
-        ui.label(format!(
-            "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
-             {tolerance} needs the part. Tooltips describe the picture without it."
-        ));
-        let facts = &self.facts;
-        self.wait(ui, &facts.required);
-        let part = |part: &PartChange| {
-            let says = part.part.says();
-            let is_kept = part.change.keeps(tolerance);
-            let verdict = if is_kept { "no" } else { "yes" };
-            let most = short(part.change.most());
-            (vec![most, verdict.to_owned(), part.name.clone()], says)
-        };
-        let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
-        let head = (head, "");
-        let parts = facts.required.value.iter().flatten().map(part);
-        let rows = iter::once(head).chain(parts);
-        Self::table(ui, "required", rows);
-    }
-
-    /// Lays out a table with a tooltip for each row. The words in its last column wrap.
-    fn table(ui: &mut Ui, name: &str, rows: impl Iterator<Item = (Vec<String>, &'static str)>) {
-        let words = (ui.available_width() - NUMBERS).max(NUMBERS);
-        let table = Grid::new(name).striped(true).min_col_width(0.0);
-        table.max_col_width(words).show(ui, |ui| {
-            for (row, says) in rows {
-                for cell in row {
-                    let label = ui.colored_label(INK, cell);
-                    if !says.is_empty() {
-                        label.on_hover_text(says);
-                    }
-                }
-                ui.end_row();
-            }
-        });
-    }
-
-    /// Shows the progress of the work in the background until a fact is known.
-    pub fn wait<T>(&self, ui: &mut Ui, fact: &Latest<T>) {
-        match self.progress() {
-            _ if fact.is_current => {}
-            None => drop(ui.weak("waits until nothing moves")),
-            Some((step, share)) => drop(ui.add(ProgressBar::new(share as f32).text(step))),
         }
-    }
+        if is_drawer {
+            let fold = ui.small_button("⏵");
+            if fold.on_hover_text("Folds the inspector (Esc).").clicked() {
+                desk.tab = None;
+            }
+        }
+    });
+    ui.separator();
+    scrolled(ui, tab, |ui| match tab {
+        Tab::Pixel => pixel::tab(ui, &mut document.scene.world, canvas, study),
+        Tab::Scene => scene::tab(ui, document, desk),
+        Tab::Required => required_tab(ui, study, document.state.view.tolerance),
+        Tab::Proof => proof_tab(ui, study),
+    });
+}
 
-    fn proof_tab(&self, ui: &mut Ui) {
-        ui.label(
-            "An interval encloses the exact level of each pixel. A pixel is proven if the drawn level is within the \
-             tolerance of all of its interval, refuted if of none of it, else undecided.",
-        );
-        let fact = &self.facts.proof;
-        self.wait(ui, fact);
-        let rows = fact.value.iter().flat_map(|proof| {
-            let [worst, widest] = [proof.worst, proof.widest_enclosure];
-            let off = proof.reference_error;
-            [
-                (proof.proven.to_string(), "pixels proven"),
-                (proof.undecided.to_string(), "pixels undecided"),
-                (proof.gaps.to_string(), "pixels in gaps of touching faces"),
-                (proof.refuted.to_string(), "pixels refuted"),
-                (proof.outline.to_string(), "pixels within 0.01 of an edge"),
-                (proof.covered.to_string(), "pixels with a cuboid"),
-                (format!("{worst:.6}"), "levels, the largest proven error"),
-                (format!("{widest:.1e}"), "levels, the longest interval"),
-                (
-                    format!("{off:.1e}"),
-                    "levels, the error of the reference in f64",
-                ),
-            ]
-        });
-        let rows = rows.map(|(number, words)| (vec![number, words.to_owned()], ""));
-        Self::table(ui, "proof", rows);
-    }
+/// A row for each part of the model, the one with the largest error first.
+fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
+    ui.label(format!(
+        "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
+         {tolerance} needs the part. Tooltips describe the picture without it."
+    ));
+    let facts = &study.facts;
+    wait(ui, study, &facts.required);
+    let part = |part: &PartChange| {
+        let says = part.part.says();
+        let is_kept = part.change.keeps(tolerance);
+        let verdict = if is_kept { "no" } else { "yes" };
+        let most = short(part.change.most());
+        (vec![most, verdict.to_owned(), part.name.clone()], says)
+    };
+    let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
+    let head = (head, "");
+    let parts = facts.required.value.iter().flatten().map(part);
+    let rows = iter::once(head).chain(parts);
+    table(ui, "required", rows);
+}
+
+/// Lays out a table with a tooltip for each row. The words in its last column wrap.
+fn table(ui: &mut Ui, name: &str, rows: impl Iterator<Item = (Vec<String>, &'static str)>) {
+    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
+    let table = Grid::new(name).striped(true).min_col_width(0.0);
+    table.max_col_width(words).show(ui, |ui| {
+        for (row, says) in rows {
+            for cell in row {
+                let label = ui.colored_label(INK, cell);
+                if !says.is_empty() {
+                    label.on_hover_text(says);
+                }
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// The counts of the proof.
+fn proof_tab(ui: &mut Ui, study: &Study) {
+    ui.label(
+        "An interval encloses the exact level of each pixel. A pixel is proven if the drawn level is within the \
+         tolerance of all of its interval, refuted if of none of it, else undecided.",
+    );
+    let fact = &study.facts.proof;
+    wait(ui, study, fact);
+    let rows = fact.value.iter().flat_map(|proof| {
+        let [worst, widest] = [proof.worst, proof.widest_enclosure];
+        let off = proof.reference_error;
+        [
+            (proof.proven.to_string(), "pixels proven"),
+            (proof.undecided.to_string(), "pixels undecided"),
+            (proof.gaps.to_string(), "pixels in gaps of touching faces"),
+            (proof.refuted.to_string(), "pixels refuted"),
+            (proof.outline.to_string(), "pixels within 0.01 of an edge"),
+            (proof.covered.to_string(), "pixels with a cuboid"),
+            (format!("{worst:.6}"), "levels, the largest proven error"),
+            (format!("{widest:.1e}"), "levels, the longest interval"),
+            (
+                format!("{off:.1e}"),
+                "levels, the error of the reference in f64",
+            ),
+        ]
+    });
+    let rows = rows.map(|(number, words)| (vec![number, words.to_owned()], ""));
+    table(ui, "proof", rows);
 }

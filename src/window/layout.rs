@@ -9,10 +9,16 @@ use egui::{
 };
 
 use super::app::App;
-use super::inspector::Tab;
-use super::keys::{BINDINGS, Binding, caption_of};
+use super::desk::Desk;
+use super::facts::Facts;
+use super::inspector::{Tab, inspector};
+use super::keys::{Action, BINDINGS, Binding, caption_of};
+use super::lesson::sentence;
+use super::panel::panel;
+use super::study::Study;
+use super::tags::side_name;
 use super::widgets::{BAD, GOOD, INK, scrolled, short};
-use crate::components::{Side, ViewMode};
+use crate::components::{Side, ViewMode, Viewer};
 use crate::shading::Method;
 use crate::trade::verdict::method_name;
 
@@ -32,14 +38,15 @@ const PROVEN: &str = "Pixels whose error against the exact evaluation of their o
                       or within 0.05 if that is 0.";
 
 impl App {
-    /// Lays out the whole window, and lets keys, widgets and the mouse write into the World.
+    /// Lays out the whole window, lets keys, widgets and the mouse write into the World, and notes the changes.
     pub fn ui(&mut self, ui: &mut Ui) {
         let width = ui.available_width();
         self.desk.has_room = width >= WIDE;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
-        if !self.scene.lesson.is_empty() {
-            Panel::bottom("lesson").show_inside(ui, |ui| self.lesson(ui));
+        if !self.document.scene.lesson.is_empty() {
+            let (document, desk) = (&self.document, &mut self.desk);
+            Panel::bottom("lesson").show_inside(ui, |ui| sentence(ui, document, desk));
         }
         let usual = USUAL.min(width / 2.0);
         let most = if self.desk.has_room { 3.0 } else { 2.0 };
@@ -50,14 +57,14 @@ impl App {
             panel.size_range(LEAST.min(usual)..=width / most)
         };
         if !self.desk.panel_folded {
-            let panel = side(Panel::left(id("panel")));
-            panel.show_inside(ui, |ui| scrolled(ui, "panel", |ui| self.panel(ui)));
+            let left = side(Panel::left(id("panel")));
+            left.show_inside(ui, |ui| scrolled(ui, "panel", |ui| panel(ui, self)));
         } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
             self.desk.panel_folded = false;
         }
         if self.desk.has_room {
-            let inspector = side(Panel::right(id("inspector")));
-            inspector.show_inside(ui, |ui| self.inspector(ui, false));
+            let right = side(Panel::right(id("inspector")));
+            right.show_inside(ui, |ui| inspector(ui, self, false));
         } else if is_opened(ui, Panel::right("drawer"), "⏴", "Opens the inspector.") {
             self.desk.tab = self.desk.tab.or(Some(Tab::Pixel));
         }
@@ -66,17 +73,21 @@ impl App {
             self.drawer(ui, usual);
         }
         if self.desk.help {
-            self.help(ui);
+            self.desk.help = help(ui);
         }
-        self.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
+        self.desk.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
+        for command in std::mem::take(&mut self.desk.commands) {
+            self.carry_out(command);
+        }
+        self.note_changes();
     }
 
     /// Lays out the inspector over the picture, on the side where it does not hide the explained pixel.
     fn drawer(&mut self, ui: &Ui, usual: f32) {
-        let place = self.place;
+        let place = self.canvas.place;
         let is_left = self
             .pixel()
-            .is_some_and(|it| self.place_of(it).x > place.center().x);
+            .is_some_and(|it| self.canvas.place_of(it).x > place.center().x);
         let (pivot, corner) = if is_left {
             (Align2::LEFT_TOP, place.left_top())
         } else {
@@ -90,102 +101,113 @@ impl App {
             ground.show(ui, |ui| {
                 ui.set_min_size(room);
                 ui.set_max_size(room);
-                self.inspector(ui, true);
+                inspector(ui, self, true);
             });
         });
     }
 
     /// The status line: the facts about the picture, or a message.
     fn status(&mut self, ui: &mut Ui) {
-        self.desk.message.take_if(|(_, until)| *until <= self.now);
+        let now = self.desk.now;
+        self.desk.message.take_if(|(_, until)| *until <= now);
         ui.horizontal(|ui| {
             if let Some((text, until)) = &self.desk.message {
-                let rest = until.saturating_sub(self.now);
-                ui.ctx().request_repaint_after(rest);
+                ui.ctx().request_repaint_after(until.saturating_sub(now));
                 let text = RichText::new(text).strong();
                 ui.add(Label::new(text).truncate());
             } else {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                if self.facts_line(ui) {
-                    self.explain_worst();
+                let (method, viewer) = (self.method(), self.viewer());
+                let is_clicked = if let Some(name) = shown_beside(&viewer, method, &self.desk) {
+                    ui.label(name).on_hover_text(METHOD);
+                    false
+                } else {
+                    let time = self.milliseconds().filter(|_| self.desk.shows_times);
+                    facts_line(ui, &self.study, method, time)
+                };
+                drop(viewer);
+                if is_clicked {
+                    self.desk.wish(Action::Worst);
                 }
             }
         });
     }
+}
 
-    /// The facts about the picture; those of the picture before stay until they are found again. Returns whether the error was
-    /// clicked.
-    fn facts_line(&self, ui: &mut Ui) -> bool {
-        let is_wipe = self.viewer().show == ViewMode::Wipe;
-        let (name, is_shown) = match self.turn() {
-            Some(turn) if is_wipe => (self.side_name(&self.viewer().sides[turn]), false),
-            Some(0) => (self.side_name(&Side::Reference), false),
-            None if is_wipe => ("Two pictures; drag the line".to_owned(), false),
-            _ => (self.side_name(&Side::Picture), true),
-        };
-        ui.label(name).on_hover_text(METHOD);
-        if !is_shown {
-            return false;
-        }
-        let mut fact = |text: String, ink: Color32, says: &str, sense: Sense| {
-            ui.separator();
-            let label = Label::new(RichText::new(text).color(ink)).sense(sense);
-            ui.add(label).on_hover_text(says)
-        };
-        let mut is_clicked = false;
-        if let Some(time) = self.milliseconds().filter(|_| self.shows_times) {
-            fact(format!("{} ms", short(time)), INK, TIME, Sense::hover());
-        }
-        let comparison = &self.facts.comparison;
-        if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
-            let text = format!("{} levels off exact Phong", short(error));
-            is_clicked = fact(text, INK, ERROR, Sense::click()).clicked();
-        }
-        if let Some(it) = self.facts.proof.current() {
-            let pixels = it.pixels as u64;
-            let (share, ink) = match pixels - it.proven {
-                0 => ("every pixel".to_owned(), GOOD),
-                _ => (format!("{} of {pixels} pixels", it.proven), BAD),
-            };
-            let mode = self.method().map(|it| Method::of(it.mode, 0.0));
-            let exact = mode.map_or("its exact mode".to_owned(), method_name);
-            let text = format!("{share} proven within {} of {exact}", it.limit);
-            fact(text, ink, PROVEN, Sense::hover());
-        } else if self.pool.is_some() {
-            let text = "not proven yet".to_owned();
-            fact(text, Color32::GRAY, PROVEN, Sense::hover());
-        }
-        let is_measured =
-            comparison.is_current && (self.measured_time().is_some() || !self.shows_times);
-        if self.pool.is_some() && !is_measured {
-            ui.weak("measuring");
-        }
-        is_clicked
+/// The name of what is shown in place of the picture: a picture that has its turn, or a wipe.
+fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<String> {
+    let is_wipe = viewer.show == ViewMode::Wipe;
+    match desk.turn() {
+        Some(turn) if is_wipe => Some(side_name(&viewer.sides[turn], method)),
+        Some(0) => Some(side_name(&Side::Reference, method)),
+        None if is_wipe => Some("Two pictures; drag the line".to_owned()),
+        _ => None,
     }
+}
 
-    fn help(&mut self, ui: &Ui) {
-        let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(Vec2::ZERO);
-        let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
-            ui.set_width(room.x.min(540.0));
-            ui.heading("Keys");
-            ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
-            ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
-            ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
-            ui.weak("the discs of lights in sight can be dragged, too.");
-            let scroll = ScrollArea::both().max_height(room.y);
-            scroll.min_scrolled_height(room.y).show(ui, |ui| {
-                let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
-                ui.horizontal_top(|ui| {
-                    key_table(ui, left);
-                    ui.add_space(16.0);
-                    key_table(ui, right);
-                });
+/// The facts about the picture; those of the picture before stay until they are found again. `time` is that of a frame, in
+/// milliseconds, where times are shown. Returns whether the error was clicked.
+fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f64>) -> bool {
+    let name = side_name(&Side::Picture, method);
+    ui.label(name).on_hover_text(METHOD);
+    let mut fact = |text: String, ink: Color32, says: &str, sense: Sense| {
+        ui.separator();
+        let label = Label::new(RichText::new(text).color(ink)).sense(sense);
+        ui.add(label).on_hover_text(says)
+    };
+    let mut is_clicked = false;
+    if let Some(time) = time {
+        fact(format!("{} ms", short(time)), INK, TIME, Sense::hover());
+    }
+    let Facts {
+        comparison, proof, ..
+    } = &study.facts;
+    if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
+        let text = format!("{} levels off exact Phong", short(error));
+        is_clicked = fact(text, INK, ERROR, Sense::click()).clicked();
+    }
+    if let Some(it) = proof.current() {
+        let pixels = it.pixels as u64;
+        let (share, ink) = match pixels - it.proven {
+            0 => ("every pixel".to_owned(), GOOD),
+            _ => (format!("{} of {pixels} pixels", it.proven), BAD),
+        };
+        let mode = method.map(|shown| Method::of(shown.mode, 0.0));
+        let exact = mode.map_or("its exact mode".to_owned(), method_name);
+        let text = format!("{share} proven within {} of {exact}", it.limit);
+        fact(text, ink, PROVEN, Sense::hover());
+    } else if study.is_live() {
+        let text = "not proven yet".to_owned();
+        fact(text, Color32::GRAY, PROVEN, Sense::hover());
+    }
+    let is_timed = time.is_none() || study.facts.measured_time(method).is_some();
+    if study.is_live() && !(comparison.is_current && is_timed) {
+        ui.weak("measuring");
+    }
+    is_clicked
+}
+
+/// Lays out the list of keys. Returns whether it stays open.
+fn help(ui: &Ui) -> bool {
+    let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(Vec2::ZERO);
+    let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
+        ui.set_width(room.x.min(540.0));
+        ui.heading("Keys");
+        ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
+        ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
+        ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
+        ui.weak("the discs of lights in sight can be dragged, too.");
+        let scroll = ScrollArea::both().max_height(room.y);
+        scroll.min_scrolled_height(room.y).show(ui, |ui| {
+            let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
+            ui.horizontal_top(|ui| {
+                key_table(ui, left);
+                ui.add_space(16.0);
+                key_table(ui, right);
             });
         });
-        if modal.should_close() {
-            self.desk.help = false;
-        }
-    }
+    });
+    !modal.should_close()
 }
 
 /// A table of keys; the name of its first section tells it from others.

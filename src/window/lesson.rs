@@ -5,8 +5,11 @@ use std::time::Duration;
 
 use egui::{Label, RawInput, Ui};
 
-use super::app::{App, reading_time};
+use super::app::App;
+use super::desk::{Desk, reading_time};
+use super::document::Document;
 use super::keys::Action;
+use super::widgets::offer;
 use crate::drawing::Drawing;
 use crate::memory;
 use crate::output::{Animation, Output, say};
@@ -20,34 +23,16 @@ const LAYOUTS: usize = 4;
 /// The bytes of a pixel in the window's buffer and in its picture.
 const PIXEL: usize = 8;
 
-impl App {
-    /// Shows the scene as a later step of its lesson has it.
-    pub fn step_lesson(&mut self, steps: isize) {
-        let lesson = Arc::clone(&self.scene.lesson);
-        let place = self.desk.step.checked_add_signed(steps);
-        let Some((place, step)) = place.and_then(|place| Some((place, lesson.get(place)?))) else {
-            return self.say("the lesson has no such step");
-        };
-        if let Err(error) = self.offer_edits() {
-            return self.say(format!("the lesson waits: {error:#}"));
-        }
-        self.restore(&step.record);
-        // A step is no edit.
-        self.file.saved = Arc::clone(&step.record);
-        self.desk.step = place;
-    }
-
-    /// Lays out the sentence of the step, and the buttons to those beside it.
-    pub(super) fn lesson(&mut self, ui: &mut Ui) {
-        let lesson = Arc::clone(&self.scene.lesson);
-        ui.horizontal(|ui| {
-            self.offer(ui, Action::Step(-1), false);
-            self.offer(ui, Action::Step(1), false);
-            ui.weak(format!("{} of {}", self.desk.step + 1, lesson.len()));
-        });
-        ui.set_min_height(SENTENCE);
-        ui.add(Label::new(&lesson[self.desk.step].say).wrap());
-    }
+/// Lays out the sentence of the step, and the buttons to those beside it.
+pub fn sentence(ui: &mut Ui, document: &Document, desk: &mut Desk) {
+    let lesson = &document.scene.lesson;
+    ui.horizontal(|ui| {
+        offer(ui, desk, Action::Step(-1), false);
+        offer(ui, desk, Action::Step(1), false);
+        ui.weak(format!("{} of {}", document.step + 1, lesson.len()));
+    });
+    ui.set_min_height(SENTENCE);
+    ui.add(Label::new(&lesson[document.step].say).wrap());
 }
 
 /// Draws the window at the last step of a lesson, or at every step into a file that ends in .apng, for as long as it takes to
@@ -59,7 +44,7 @@ pub fn draw(drawing: Drawing, output: &Output) -> anyhow::Result<()> {
     let (size, lesson) = (drawing.size, Arc::clone(&drawing.scene.lesson));
     memory::check(size, PIXEL * size[0] * size[1])?;
     let mut app = App::new(drawing, false)?;
-    app.shows_times = false;
+    app.desk.shows_times = false;
     let is_animated = output.name().to_lowercase().ends_with(".apng");
     let mut file = Vec::new();
     let animation = is_animated.then(|| Animation::new(&mut file, size, lesson.len()));
@@ -68,7 +53,7 @@ pub fn draw(drawing: Drawing, output: &Output) -> anyhow::Result<()> {
         for (place, step) in lesson.iter().enumerate() {
             (monitor.progress)("drawing", place as f64 / lesson.len() as f64);
             if place > 0 {
-                app.step_lesson(1);
+                app.run(Action::Step(1));
             }
             for _ in 0..LAYOUTS {
                 app.step(Duration::ZERO, size, RawInput::default())?;

@@ -3,15 +3,18 @@
 use egui::emath::round_to_decimals;
 use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
+use hecs::World;
 
-use super::app::App;
+use super::canvas::Canvas;
+use super::desk::Desk;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
-    Camera, Lens, Light, LightKind, Name, Transform, active_camera, in_file_order,
+    Camera, Lens, Light, LightKind, Name, Transform, View, active_camera, in_file_order,
 };
 use crate::frame::display_pixel;
 use crate::paint::color;
+use crate::probe::ProbedSurface;
 
 /// No more discs than this are drawn.
 const MOST: usize = 100;
@@ -48,107 +51,105 @@ impl Disc {
     }
 }
 
-impl App {
-    /// Lays out the discs of the lights. A drag moves its light across the view; both a drag and a click select it.
-    pub fn discs(&mut self, ui: &Ui) {
-        for light in self.lights() {
-            let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
-            let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
-            if disc.dragged() {
-                self.drag_light(&light.name, disc.drag_delta() * self.scale());
-            }
-            if disc.clicked() || disc.drag_started() {
-                self.select::<Light>("light", &light.name);
-            }
-            light.draw(ui.painter(), self.place);
+/// Lays out the discs of the lights. A drag moves its light across the view; both a drag and a click select it.
+pub fn discs(ui: &Ui, world: &mut World, view: &View, canvas: &Canvas, desk: &mut Desk) {
+    for light in lights(world, view, canvas) {
+        let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
+        let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
+        if disc.dragged() {
+            drag_light(world, view, &light.name, disc.drag_delta() * canvas.scale);
+        }
+        if disc.clicked() || disc.drag_started() {
+            desk.select::<Light>(world, "light", &light.name);
+        }
+        light.draw(ui.painter(), canvas.place);
+    }
+}
+
+/// The discs of the lights that the picture shows.
+pub fn lights(world: &World, view: &View, canvas: &Canvas) -> Vec<Disc> {
+    type Parts<'a> = (&'a Name, &'a Transform, &'a Light);
+    let lens = Lens::new(view);
+    let lights = in_file_order::<Parts, _>(world, |(name, transform, light)| {
+        let at = place_in_sight(transform.position, &lens, canvas)?;
+        (light.kind != LightKind::Ambient).then(|| Disc {
+            name: name.0.clone(),
+            at,
+            color: brightest(light.color),
+            is_on: light.on,
+        })
+    });
+    lights.into_iter().flatten().take(MOST).collect()
+}
+
+/// The place in the window of a point of the scene, if it is in front of the near plane and within the picture.
+fn place_in_sight(position: DVec3, lens: &Lens, canvas: &Canvas) -> Option<Pos2> {
+    let seen = lens.seen(position);
+    let at = canvas.place_at(lens.pixel(lens.homogeneous(seen)));
+    (seen.z > lens.near && canvas.place.contains(at)).then_some(at)
+}
+
+/// Moves a light in sight by pixels of the picture across the view. A position beyond its range is refused.
+pub fn drag_light(world: &mut World, view: &View, name: &str, by: Vec2) {
+    let lens = Lens::new(view);
+    let [right, up, _] = lens.axes;
+    let way = right * f64::from(by.x) - up * f64::from(by.y);
+    let lights = world.query_mut::<(&Name, &mut Transform, &Light)>();
+    for (_, Transform { position, .. }, _) in lights.into_iter().filter(|it| it.0.0 == name) {
+        let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
+        // Rounded to a tenth of a pixel or less, so that the numbers are short.
+        let digits = (1.0 - pixel.log10().floor()).clamp(0.0, 300.0) as usize;
+        let moved = (*position + way * pixel).to_array();
+        let moved = moved.map(|it| round_to_decimals(it, digits));
+        if moved.iter().all(|it| Coordinate::RANGE.contains(it)) {
+            *position = DVec3::from(moved);
         }
     }
+}
 
-    /// The discs of the lights that the picture shows.
-    pub fn lights(&self) -> Vec<Disc> {
-        type Parts<'a> = (&'a Name, &'a Transform, &'a Light);
-        let lens = Lens::new(&self.view());
-        let lights = in_file_order::<Parts, _>(&self.scene.world, |(name, transform, light)| {
-            let at = self.place_in_sight(transform.position, &lens)?;
-            (light.kind != LightKind::Ambient).then(|| Disc {
-                name: name.0.clone(),
-                at,
-                color: brightest(light.color),
-                is_on: light.on,
-            })
-        });
-        lights.into_iter().flatten().take(MOST).collect()
-    }
-
-    /// The place in the window of a point of the scene, if it is in front of the near plane and within the picture.
-    fn place_in_sight(&self, position: DVec3, lens: &Lens) -> Option<Pos2> {
-        let seen = lens.seen(position);
-        let [x, y] = lens.pixel(lens.homogeneous(seen));
-        let at = self.place.min + vec2(x as f32, y as f32) / self.scale();
-        (seen.z > lens.near && self.place.contains(at)).then_some(at)
-    }
-
-    /// Moves a light in sight by pixels of the picture across the view. A position beyond its range is refused.
-    pub fn drag_light(&mut self, name: &str, by: Vec2) {
-        let lens = Lens::new(&self.view());
-        let [right, up, _] = lens.axes;
-        let way = right * f64::from(by.x) - up * f64::from(by.y);
-        let lights = (self.scene.world).query_mut::<(&Name, &mut Transform, &Light)>();
-        for (_, Transform { position, .. }, _) in lights.into_iter().filter(|it| it.0.0 == name) {
-            let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
-            // Rounded to a tenth of a pixel or less, so that the numbers are short.
-            let digits = (1.0 - pixel.log10().floor()).clamp(0.0, 300.0) as usize;
-            let moved = (*position + way * pixel).to_array();
-            let moved = moved.map(|it| round_to_decimals(it, digits));
-            if moved.iter().all(|it| Coordinate::RANGE.contains(it)) {
-                *position = DVec3::from(moved);
-            }
-        }
-    }
-
-    /// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view, and a legend in the
-    /// corner of the picture.
-    pub fn draw_arrows(&self, painter: &egui::Painter, at: Pos2) {
-        let probed = self.probed().filter(|_| self.facts.section.is_current);
-        let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) else {
+/// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view, and a legend in the
+/// corner of the picture.
+pub fn draw_arrows(
+    painter: &egui::Painter,
+    at: Pos2,
+    surface: &ProbedSurface,
+    world: &World,
+    canvas: &Canvas,
+) {
+    let [right, up, _] = Camera::of(world, active_camera(world)).axes();
+    let mut row = canvas.place.right_bottom() - vec2(10.0, 14.0);
+    let mut arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
+        let Some(vector) = vector else {
             return;
         };
-        let world = &self.scene.world;
-        let [right, up, _] = Camera::of(world, active_camera(world)).axes();
-        let mut row = self.place.right_bottom() - vec2(10.0, 14.0);
-        let mut arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
-            let Some(vector) = vector else {
-                return;
-            };
-            tag(painter, Align2::RIGHT_CENTER, row, name, ink);
-            row.y -= 20.0;
-            let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32) * UNIT;
-            for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
-                painter.arrow(at, way, (width, ink));
-            }
-        };
-        let mut places: Vec<DVec3> = Vec::new();
-        for light in surface.lights() {
-            let Some(to_light) = light.to_light.filter(|it| !places.contains(it)) else {
-                continue;
-            };
-            places.push(to_light);
-            let ink = self.light_color(&light.name);
-            let reflected = format!("r of {}", light.name);
-            arrow(&reflected, ink.gamma_multiply(0.7), light.reflected);
-            arrow(&format!("l to {}", light.name), ink, Some(to_light));
+        tag(painter, Align2::RIGHT_CENTER, row, name, ink);
+        row.y -= 20.0;
+        let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32) * UNIT;
+        for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
+            painter.arrow(at, way, (width, ink));
         }
-        let sample = surface.sample.as_ref();
-        arrow("o to the eye", TO_EYE, sample.map(|it| it.to_eye));
-        arrow("n, the normal", NORMAL, sample.map(|it| it.normal));
+    };
+    let mut places: Vec<DVec3> = Vec::new();
+    for light in surface.lights() {
+        let Some(to_light) = light.to_light.filter(|it| !places.contains(it)) else {
+            continue;
+        };
+        places.push(to_light);
+        let ink = light_color(world, &light.name);
+        let reflected = format!("r of {}", light.name);
+        arrow(&reflected, ink.gamma_multiply(0.7), light.reflected);
+        arrow(&format!("l to {}", light.name), ink, Some(to_light));
     }
+    let sample = surface.sample.as_ref();
+    arrow("o to the eye", TO_EYE, sample.map(|it| it.to_eye));
+    arrow("n, the normal", NORMAL, sample.map(|it| it.normal));
+}
 
-    /// The colour of the light of this name.
-    fn light_color(&self, name: &str) -> Color32 {
-        let mut lights = self.scene.world.query::<(&Name, &Light)>();
-        let light = lights.iter().find(|(own, _)| own.0 == name);
-        light.map_or(Color32::WHITE, |(_, light)| brightest(light.color))
-    }
+/// The colour of the light of this name.
+fn light_color(world: &World, name: &str) -> Color32 {
+    let mut lights = world.query::<(&Name, &Light)>();
+    let light = lights.iter().find(|(own, _)| own.0 == name);
+    light.map_or(Color32::WHITE, |(_, light)| brightest(light.color))
 }
 
 /// A light's colour with its largest channel at full strength.

@@ -12,7 +12,7 @@ use hecs::World;
 use crate::components::{ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
 use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
 use crate::memory::{self, OutOfMemory};
-use crate::shading::SquareKind;
+use crate::shading::{Method, SquareKind};
 use crate::systems;
 
 /// The weight of a square's tint, of 256, and that on its outline.
@@ -105,6 +105,15 @@ pub fn sides(viewer: &Viewer) -> [Side; 2] {
     match viewer.show {
         ViewMode::Wipe => viewer.sides,
         _ => [Side::Picture; 2],
+    }
+}
+
+/// The method of a side; `None` for the reference, and where the cuboids have different modes. `shown` is that on screen.
+pub fn side_method(side: &Side, shown: Option<Method>) -> Option<Method> {
+    match *side {
+        Side::Picture => shown,
+        Side::Method { mode, tolerance } => Some(Method::of(mode, tolerance)),
+        Side::Reference => None,
     }
 }
 

@@ -17,11 +17,11 @@ use std::time::{Duration, SystemTime};
 use std::{env, mem};
 
 use anyhow::{Context, anyhow};
-use egui::{Align2, Area, Frame, Ui};
+use egui::{Align2, Area, Frame, Rect, Ui};
 use indicatif::HumanDuration;
 
-use super::app::App;
-use super::edits::has_edits;
+use super::desk::{Command, Desk};
+use super::document::{Document, has_edits};
 use super::file::{numbered, stem};
 use crate::output::{Output, write_numbered};
 use crate::scene::{self, Scene, SceneRecord};
@@ -44,7 +44,7 @@ pub struct Unsaved {
     /// From windows that ended, the newest last.
     offers: Vec<Offer>,
     /// When the edits are to be written.
-    pub(super) due: Option<Duration>,
+    due: Option<Duration>,
     /// Whether they could not be written the last time.
     has_failed: bool,
 }
@@ -185,7 +185,7 @@ impl Unsaved {
     }
 }
 
-impl App {
+impl Document {
     /// Keeps unsaved edits in files from now on, where they cannot lie beside the scene in one of these folders; and offers
     /// those of windows that ended.
     pub fn keep_edits(&mut self, roots: Vec<PathBuf>) {
@@ -201,24 +201,30 @@ impl App {
     }
 
     /// Writes edits two seconds after a change, and removes their file when there are none.
-    pub(super) fn tend_edits(&mut self) {
+    ///
+    /// # Errors
+    /// If they cannot be written, once; or if the file cannot be removed.
+    pub fn tend_edits(&mut self, now: Duration) -> anyhow::Result<()> {
         if !self.is_edited() {
             return self.forget_edits();
         }
         let Some(unsaved) = &mut self.unsaved else {
-            return;
+            return Ok(());
         };
         if unsaved.holds(&self.state) {
             unsaved.due = None;
-        } else if self.now >= *unsaved.due.get_or_insert(self.now + DELAY) {
-            unsaved.due = Some(self.now + DELAY);
+        } else if now >= *unsaved.due.get_or_insert(now + DELAY) {
+            unsaved.due = Some(now + DELAY);
             let was_told = mem::replace(&mut unsaved.has_failed, true);
-            if let Err(error) = self.write_edits()
-                && !was_told
-            {
-                self.say(format!("{error:#}"));
-            }
+            let written = self.write_edits().map(drop);
+            return if was_told { Ok(()) } else { written };
         }
+        Ok(())
+    }
+
+    /// When the edits are to be written.
+    pub fn edits_due(&self) -> Option<Duration> {
+        self.unsaved.as_ref().and_then(|unsaved| unsaved.due)
     }
 
     /// Writes unsaved edits at once. Returns their file.
@@ -239,18 +245,21 @@ impl App {
     }
 
     /// Removes the file of edits that are saved or undone.
-    pub(super) fn forget_edits(&mut self) {
-        let unsaved = self.unsaved.as_mut();
-        let own = unsaved.and_then(|unsaved| {
+    ///
+    /// # Errors
+    /// If it cannot be removed.
+    pub(super) fn forget_edits(&mut self) -> anyhow::Result<()> {
+        let own = self.unsaved.as_mut().and_then(|unsaved| {
             unsaved.due = None;
             unsaved.own.take()
         });
-        if let Some(Err(error)) = own.map(|(file, _)| file.remove()) {
-            self.say(format!("{error:#}"));
-        }
+        own.map_or(Ok(()), |(file, _)| file.remove())
     }
 
     /// Makes an offer of the present edits, before another state takes their place.
+    ///
+    /// # Errors
+    /// As [`Document::write_edits`].
     pub(super) fn offer_edits(&mut self) -> anyhow::Result<()> {
         self.write_edits()?;
         if let Some(unsaved) = &mut self.unsaved {
@@ -264,56 +273,55 @@ impl App {
         Ok(())
     }
 
-    /// Offers the newest of the edits that windows left.
-    pub(super) fn edits_bar(&mut self, ui: &Ui) {
-        let offers = self.unsaved.iter().flat_map(|unsaved| &unsaved.offers);
-        let Some(written) = offers.last().map(|offer| offer.written) else {
-            return;
-        };
-        let age = SystemTime::now().duration_since(written);
-        let text = format!(
-            "There are unsaved edits, {} old.",
-            HumanDuration(age.unwrap_or_default())
-        );
-        let bar = Area::new(ui.id().with("offer")).pivot(Align2::CENTER_TOP);
-        let bar = bar
-            .fixed_pos(self.place.center_top())
-            .constrain_to(self.place);
-        let [mut restores, mut discards] = [false; 2];
-        bar.show(ui.ctx(), |ui| {
-            ui.set_max_width(self.place.width());
-            Frame::side_top_panel(ui.style()).show(ui, |ui| {
-                ui.horizontal_wrapped(|ui| {
-                    ui.label(text);
-                    restores = ui.button("restore").clicked();
-                    discards = ui.button("discard").clicked();
-                });
-            });
-        });
-        if restores && let Err(error) = self.restore_edits() {
-            self.say(format!("not restored: {error:#}"));
-        }
-        if discards && let Err(error) = self.discard_edits() {
-            self.say(format!("not discarded: {error:#}"));
-        }
-    }
-
     /// Shows the edits that are offered. Those of this window are offered then.
-    fn restore_edits(&mut self) -> anyhow::Result<()> {
+    ///
+    /// # Errors
+    /// As [`Document::write_edits`].
+    pub fn restore_edits(&mut self, now: Duration) -> anyhow::Result<()> {
         let offers = self.unsaved.as_ref().map(|unsaved| unsaved.offers.len());
         self.offer_edits()?;
         if let (Some(unsaved), Some(count)) = (&mut self.unsaved, offers) {
             let Offer { file, state, .. } = unsaved.offers.remove(count - 1);
             unsaved.own = Some((file, Arc::clone(&state)));
-            self.keep_state(true);
+            self.keep(now, true);
             self.restore(&state);
         }
         Ok(())
     }
 
-    fn discard_edits(&mut self) -> anyhow::Result<()> {
+    /// Removes the file of the edits that are offered.
+    ///
+    /// # Errors
+    /// If it cannot be removed.
+    pub fn discard_edits(&mut self) -> anyhow::Result<()> {
         let unsaved = self.unsaved.as_mut();
         let offer = unsaved.and_then(|unsaved| unsaved.offers.pop());
         offer.map_or(Ok(()), |offer| offer.file.remove())
     }
+}
+
+/// Offers the newest of the edits that windows left, at the top of `place`.
+pub fn edits_bar(ui: &Ui, document: &Document, place: Rect, desk: &mut Desk) {
+    let offers = document.unsaved.iter().flat_map(|it| &it.offers);
+    let Some(written) = offers.last().map(|offer| offer.written) else {
+        return;
+    };
+    let age = SystemTime::now().duration_since(written);
+    let age = HumanDuration(age.unwrap_or_default());
+    let bar = Area::new(ui.id().with("offer")).pivot(Align2::CENTER_TOP);
+    let bar = bar.fixed_pos(place.center_top()).constrain_to(place);
+    bar.show(ui.ctx(), |ui| {
+        ui.set_max_width(place.width());
+        Frame::side_top_panel(ui.style()).show(ui, |ui| {
+            ui.horizontal_wrapped(|ui| {
+                ui.label(format!("There are unsaved edits, {age} old."));
+                if ui.button("restore").clicked() {
+                    desk.commands.push(Command::RestoreEdits);
+                }
+                if ui.button("discard").clicked() {
+                    desk.commands.push(Command::DiscardEdits);
+                }
+            });
+        });
+    });
 }

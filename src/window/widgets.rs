@@ -4,12 +4,16 @@ use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::{
-    Align2, Color32, Context, DragValue, FontId, Pos2, Response, ScrollArea, Slider, TextStyle,
-    Theme, Ui, vec2,
+    Align2, Button, Color32, Context, DragValue, FontId, Pos2, ProgressBar, Response, ScrollArea,
+    Sense, Slider, TextStyle, Theme, Ui, vec2,
 };
 use egui_plot::Plot;
 use glam::DVec3;
 
+use super::desk::Desk;
+use super::facts::Latest;
+use super::keys::{Action, binding, caption};
+use super::study::Study;
 use crate::components::ShadingMode;
 pub use crate::report::words::{rounded, short};
 
@@ -54,6 +58,30 @@ pub fn apply_style(context: &Context) {
         style.spacing.combo_width = 110.0;
         style.visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(200);
     });
+}
+
+/// A button with the name and the key of an action, and its sentence as a tooltip.
+pub fn action_button(ui: &mut Ui, action: Action, is_chosen: bool) -> Response {
+    let (name, says) = binding(action).map_or(("", ""), |it| (it.0, it.1));
+    let button = Button::selectable(is_chosen, name).shortcut_text(caption(action));
+    let button = button.sense(Sense::click_and_drag());
+    ui.add(button).on_hover_text(says)
+}
+
+/// A button whose click runs an action.
+pub fn offer(ui: &mut Ui, desk: &mut Desk, action: Action, is_chosen: bool) {
+    if action_button(ui, action, is_chosen).clicked() {
+        desk.wish(action);
+    }
+}
+
+/// Shows the progress of the work in the background until a fact is known.
+pub fn wait<T>(ui: &mut Ui, study: &Study, fact: &Latest<T>) {
+    match study.progress() {
+        _ if fact.is_current => {}
+        None => drop(ui.weak("waits until nothing moves")),
+        Some((step, share)) => drop(ui.add(ProgressBar::new(share as f32).text(step))),
+    }
 }
 
 /// Six significant digits at most, with an exponent where the number is very large or small.

@@ -9,6 +9,7 @@ mod lesson;
 mod memory;
 mod mouse;
 mod ranges;
+mod rooms;
 mod sides;
 mod storms;
 mod trade;
@@ -25,10 +26,10 @@ use fearless_simd::Level;
 use shadetrade::components::View;
 use shadetrade::frame::Keep;
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::window::app::{App, Desk, StepOutput};
+use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::file::SceneFile;
-use shadetrade::window::history::history;
+use shadetrade::window::desk::Desk;
+use shadetrade::window::document::Document;
 use tempfile::TempDir;
 
 use super::support::scene::draw;
@@ -68,7 +69,7 @@ impl Window {
 
     fn with(mut app: App, size: [usize; 2]) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
-        app.folder = folder.path().to_path_buf();
+        app.document.folder = folder.path().to_path_buf();
         let step = |app: &mut App| app.step(Duration::ZERO, size, RawInput::default());
         // Widgets have their final sizes after the first pass.
         step(&mut app).expect("a small picture fits");
@@ -86,12 +87,9 @@ impl Window {
     /// Shows a scene as a new window would, which takes far longer because it draws every letter first.
     fn reopen(&mut self, scene: Scene) {
         self.folder = tempfile::tempdir().expect("a temporary folder");
-        self.app.folder = self.folder.path().to_path_buf();
-        self.app.file = SceneFile::of(&scene);
-        self.app.history = history(&SceneRecord::of(&scene.world));
-        self.app.scene = scene;
+        self.app.document = Document::of(scene);
+        self.app.document.folder = self.folder.path().to_path_buf();
         self.app.desk = Desk::default();
-        self.app.quits = false;
         self.modifiers = Modifiers::NONE;
         self.wait(PAUSE);
     }
@@ -206,20 +204,20 @@ impl Window {
 
     /// The picture of the present state, drawn again with another view.
     fn drawn(&self, change: impl FnOnce(View) -> View) -> Vec<u32> {
-        let mut world = self.app.state.spawn();
-        let view = change(View::of(&world, self.app.picture_size()));
+        let mut world = self.app.document.state.spawn();
+        let view = change(View::of(&world, self.app.canvas.size()));
         draw(&mut world, &view, Keep::Display).pixels().to_vec()
     }
 
     /// The comparison of the present picture.
     #[track_caller]
     fn comparison(&self) -> &Comparison {
-        let comparison = self.app.facts.comparison.current();
+        let comparison = self.app.study.facts.comparison.current();
         comparison.expect("an answer")
     }
 
     fn record(&self) -> SceneRecord {
-        SceneRecord::of(&self.app.scene.world)
+        SceneRecord::of(&self.app.document.scene.world)
     }
 
     /// The message in the status line.
@@ -241,8 +239,9 @@ impl Window {
 
     /// The pixels of the picture's area in the window.
     fn seen(&self) -> Vec<u32> {
-        let [left, top] = [self.app.place.min.x, self.app.place.min.y].map(|it| it as usize);
-        let [width, height] = self.app.picture_size();
+        let [left, top] =
+            [self.app.canvas.place.min.x, self.app.canvas.place.min.y].map(|it| it as usize);
+        let [width, height] = self.app.canvas.size();
         let rows = self.app.pixels.chunks_exact(self.size[0]);
         let rows = rows.skip(top).take(height);
         let pixels = rows.flat_map(|row| &row[left..left + width]);

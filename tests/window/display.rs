@@ -19,7 +19,7 @@ const SIZE: [usize; 2] = [960, 720];
 fn place(label: &str) -> Point {
     let mut app = app(default_scene(), SIZE, Level::new());
     // The real window has the chart of times.
-    app.shows_times = true;
+    app.desk.shows_times = true;
     let harness = widgets(app, SIZE);
     let at = places(&harness, label)[0];
     [at.x, at.y].map(|it| it as i32)
@@ -28,7 +28,7 @@ fn place(label: &str) -> Point {
 /// The picture's area in a window of the initial size.
 pub(super) fn picture(window: &RgbImage) -> RgbImage {
     let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
-    let place = harness.state().place;
+    let place = harness.state().canvas.place;
     let [x, y, width, height] =
         [place.min.x, place.min.y, place.width(), place.height()].map(|it| it as u32);
     image::imageops::crop_imm(window, x, y, width, height).to_image()
@@ -145,7 +145,7 @@ fn no_click_is_too_short() {
 /// The column of the divider in the window.
 fn place_of_divider() -> i32 {
     let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
-    harness.state().place.center().x as i32
+    harness.state().canvas.place.center().x as i32
 }
 
 #[test]

@@ -3,16 +3,18 @@
 use egui::color_picker::show_color;
 use egui::{CollapsingHeader, Color32, Grid, Label, RichText, StrokeKind, Ui, vec2};
 use egui_plot::{Line, LineStyle, Plot, VLine};
+use hecs::World;
 
 use crate::components::range::Shininess;
-use crate::components::{Material, Name, ShadingMode};
+use crate::components::{Material, Name, ShadingMode, viewer, viewer_mut};
 use crate::frame::display_pixel;
 use crate::metrics::displayed;
 use crate::paint::color;
-use crate::probe::ProbedSurface;
+use crate::probe::{Probe, ProbedSurface};
 use crate::report::words::CHANNELS;
-use crate::window::app::App;
-use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still};
+use crate::window::canvas::Canvas;
+use crate::window::study::Study;
+use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still, wait};
 
 /// The length of a line of numbers, in font sizes.
 const LINE: f32 = 45.0 * 0.61;
@@ -21,99 +23,103 @@ const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0
 /// The broad line of the picture, under the others.
 const DRAWN: Color32 = Color32::from_gray(90);
 
-impl App {
-    pub fn pixel_tab(&mut self, ui: &mut Ui) {
-        let Some([x, y]) = self.pixel() else {
-            ui.label(match self.viewer().pixel {
-                Some(_) => "The place lies outside of the picture.",
-                None => "Click a pixel of the picture to see what is computed there.",
-            });
-            return;
-        };
-        let [width, height] = self.picture_size();
-        ui.horizontal(|ui| {
-            ui.strong(format!("pixel {x}, {y} of {width}x{height}"));
-            if ui.small_button("close").clicked() {
-                self.viewer_mut().pixel = None;
-            }
+/// Lays out the tab. It writes the shininess of the cuboid.
+pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
+    let pixel = canvas.pixel(&viewer(world));
+    let Some([x, y]) = pixel else {
+        ui.label(match viewer(world).pixel {
+            Some(_) => "The place lies outside of the picture.",
+            None => "Click a pixel of the picture to see what is computed there.",
         });
-        self.wait(ui, &self.facts.section);
-        let Some(probe) = self.probed() else {
-            return;
-        };
-        let Some(surface) = &probe.surface else {
-            ui.label("Background: no cuboid is seen here.");
-            return;
-        };
-        let object = &surface.object;
-        ui.label(format!("{object}, {}", surface.triangle_label()));
-        verdict(ui, surface);
-        let is_phong = surface.mode == ShadingMode::Phong;
-        if is_phong {
-            ui.label(surface.cost());
-            ui.weak("Gouraud shading instead:");
+        return;
+    };
+    let [width, height] = canvas.size();
+    ui.horizontal(|ui| {
+        ui.strong(format!("pixel {x}, {y} of {width}x{height}"));
+        if ui.small_button("close").clicked() {
+            viewer_mut(world).pixel = None;
         }
-        for sentence in surface.cause().into_iter().flatten() {
-            ui.label(sentence);
-        }
-        if !is_phong {
-            ui.label(surface.cost());
-        }
-        self.section(ui, x, surface);
-        let mut cuboids = self.scene.world.query::<(&Name, &mut Material)>();
-        let cuboid = cuboids.iter().find(|(name, _)| name.0 == *object);
-        if let Some((_, material)) = cuboid {
-            let range = Shininess::RANGE;
-            slider(ui, SHININESS, &mut material.shininess, range, 0.1);
-        }
-        let text = probe.lines().join("\n");
-        let numbers = CollapsingHeader::new("every number");
-        numbers.show_unindented(ui, |ui| {
-            let size = (ui.available_width() / LINE).clamp(9.0, 11.0);
-            ui.add(Label::new(RichText::new(text).size(size).monospace()).extend());
-        });
+    });
+    wait(ui, study, &study.facts.section);
+    let Some(probe) = study.facts.probed(pixel) else {
+        return;
+    };
+    let Some(surface) = &probe.surface else {
+        ui.label("Background: no cuboid is seen here.");
+        return;
+    };
+    let object = &surface.object;
+    ui.label(format!("{object}, {}", surface.triangle_label()));
+    verdict(ui, surface);
+    let is_phong = surface.mode == ShadingMode::Phong;
+    if is_phong {
+        ui.label(surface.cost());
+        ui.weak("Gouraud shading instead:");
     }
+    for sentence in surface.cause().into_iter().flatten() {
+        ui.label(sentence);
+    }
+    if !is_phong {
+        ui.label(surface.cost());
+    }
+    section(
+        ui,
+        study.facts.section.value.as_deref().unwrap_or_default(),
+        x,
+        surface,
+    );
+    let mut cuboids = world.query::<(&Name, &mut Material)>();
+    let cuboid = cuboids.iter().find(|(name, _)| name.0 == *object);
+    if let Some((_, material)) = cuboid {
+        let range = Shininess::RANGE;
+        slider(ui, SHININESS, &mut material.shininess, range, 0.1);
+    }
+    let text = probe.lines().join("\n");
+    let numbers = CollapsingHeader::new("every number");
+    numbers.show_unindented(ui, |ui| {
+        let size = (ui.available_width() / LINE).clamp(9.0, 11.0);
+        ui.add(Label::new(RichText::new(text).size(size).monospace()).extend());
+    });
+}
 
-    /// The columns of the section and the surface at each, where the reference sees the same face.
-    fn columns(&self) -> impl Iterator<Item = (f64, &ProbedSurface)> {
-        let section = self.facts.section.value.iter().flatten();
-        section.filter_map(|probe| {
-            let surface = probe.surface.as_ref()?;
-            surface.sample.as_ref()?;
-            Some((probe.pixel[0] as f64, surface))
-        })
-    }
+/// The columns of the section and the surface at each, where the reference sees the same face.
+fn columns(row: &[Probe]) -> impl Iterator<Item = (f64, &ProbedSurface)> {
+    row.iter().filter_map(|probe| {
+        let surface = probe.surface.as_ref()?;
+        surface.sample.as_ref()?;
+        Some((probe.pixel[0] as f64, surface))
+    })
+}
 
-    /// Lays out the levels along the row in the channel that errs most at the pixel, with a line at its column.
-    fn section(&self, ui: &mut Ui, column: usize, here: &ProbedSurface) {
-        let (channel, _) = here.error().unwrap_or_default();
-        let [gouraud, phong] = exact(here, channel);
-        ui.horizontal_wrapped(|ui| {
-            ui.label(format!("{} along the row:", CHANNELS[channel]))
-                .on_hover_text("Levels of 255. The broad grey line is the picture.");
-            ui.colored_label(GOURAUD, format!("Gouraud {gouraud:.0}"));
-            ui.colored_label(PHONG, format!("Phong {phong:.0}"));
-        });
-        let curve = |name: &'static str, level: &dyn Fn(&ProbedSurface) -> f64| {
-            let points = self.columns().map(|(x, surface)| [x, level(surface)]);
-            Line::new(name, points.collect::<Vec<_>>()).width(1.5)
-        };
-        let drawn = curve("picture", &|it| displayed(it.drawn[channel]));
-        let lines = [
-            drawn.color(DRAWN).width(5.0),
-            curve("Gouraud", &|it| exact(it, channel)[0]).color(GOURAUD),
-            curve("exact Phong", &|it| exact(it, channel)[1]).color(PHONG),
-        ];
-        let plot = still(Plot::new("section").height(150.0).include_y(0.0));
-        let plot = plot.y_axis_min_width(28.0).show_axes([false, true]);
-        plot.show_x(false).show(ui, |plot| {
-            for line in lines {
-                plot.line(line);
-            }
-            let here = VLine::new("pixel", column as f64).color(Color32::GRAY);
-            plot.vline(here.style(LineStyle::dashed_dense()));
-        });
-    }
+/// Lays out the levels along the row in the channel that errs most at the pixel, with a line at its column.
+fn section(ui: &mut Ui, row: &[Probe], column: usize, here: &ProbedSurface) {
+    let (channel, _) = here.error().unwrap_or_default();
+    let [gouraud, phong] = exact(here, channel);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(format!("{} along the row:", CHANNELS[channel]))
+            .on_hover_text("Levels of 255. The broad grey line is the picture.");
+        ui.colored_label(GOURAUD, format!("Gouraud {gouraud:.0}"));
+        ui.colored_label(PHONG, format!("Phong {phong:.0}"));
+    });
+    let curve = |name: &'static str, level: &dyn Fn(&ProbedSurface) -> f64| {
+        let points = columns(row).map(|(x, surface)| [x, level(surface)]);
+        Line::new(name, points.collect::<Vec<_>>()).width(1.5)
+    };
+    let drawn = curve("picture", &|it| displayed(it.drawn[channel]));
+    let lines = [
+        drawn.color(DRAWN).width(5.0),
+        curve("Gouraud", &|it| exact(it, channel)[0]).color(GOURAUD),
+        curve("exact Phong", &|it| exact(it, channel)[1]).color(PHONG),
+    ];
+    let plot = still(Plot::new("section").height(150.0).include_y(0.0));
+    let plot = plot.y_axis_min_width(28.0).show_axes([false, true]);
+    plot.show_x(false).show(ui, |plot| {
+        for line in lines {
+            plot.line(line);
+        }
+        let here = VLine::new("pixel", column as f64).color(Color32::GRAY);
+        plot.vline(here.style(LineStyle::dashed_dense()));
+    });
 }
 
 /// The drawn levels, those of exact Phong, and the errors, by channel; and both colours.

@@ -2,17 +2,19 @@
 //! scene's record as JSON.
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use egui::{Button, Grid, ScrollArea, TextEdit, TextStyle, Ui, vec2};
 use glam::DVec3;
-use hecs::Component;
+use hecs::{Component, World};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::components::{names, range};
 use crate::scene::SceneRecord;
 use crate::scene::key::Key;
-use crate::window::app::{App, EntityPlace};
+use crate::window::desk::{Desk, EntityPlace};
+use crate::window::document::Document;
 use crate::window::widgets::{color_button, number};
 
 /// The keys that have a colour picker.
@@ -27,89 +29,91 @@ const NARROW: f32 = 240.0;
 /// A typed number is checked when the edited record is read, whose message names the range.
 const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
-impl App {
-    pub fn scene_tab(&mut self, ui: &mut Ui) {
-        // The three numbers of a colour fit into a narrow inspector.
-        let spacing = ui.spacing_mut();
-        spacing.interact_size.x = 16.0;
-        (spacing.item_spacing.x, spacing.button_padding.x) = (3.0, 1.0);
-        if ui.available_width() < NARROW {
-            ui.style_mut().override_text_style = Some(TextStyle::Small);
-            ui.style_mut().drag_value_text_style = TextStyle::Small;
+/// Lays out the tab. An edit replaces the World.
+pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
+    // The three numbers of a colour fit into a narrow inspector.
+    let spacing = ui.spacing_mut();
+    spacing.interact_size.x = 16.0;
+    (spacing.item_spacing.x, spacing.button_padding.x) = (3.0, 1.0);
+    if ui.available_width() < NARROW {
+        ui.style_mut().override_text_style = Some(TextStyle::Small);
+        ui.style_mut().drag_value_text_style = TextStyle::Small;
+    }
+    let record = Arc::clone(&document.state);
+    let count = |kind: &str| names_of(&record, kind).count();
+    // Undo and a new file may leave fewer entities, and no lights.
+    let selected = desk.selected.filter(|it| count(it.0) > 0);
+    let mut selected = selected.unwrap_or(("cuboid", 0));
+    selected.1 = selected.1.min(count(selected.0) - 1);
+    let known = selected;
+    let can_delete = selected.0 == "light" || count(selected.0) > 1;
+    let buttons = ui.horizontal(|ui| {
+        let copy = ui.small_button("copy");
+        let delete = ui.add_enabled(can_delete, Button::new("delete").small());
+        let delete = delete.on_disabled_hover_text("A scene needs one.");
+        [copy, delete, ui.small_button("new light")].map(|button| button.clicked())
+    });
+    let [copies, deletes, adds_light] = buttons.inner;
+    entity_list(ui, &record, &mut selected);
+    ui.separator();
+    let (kind, mut place) = selected;
+    let before = [entity(&record, selected), json!(record.background)];
+    let [mut own, mut background] = before.clone();
+    let name = own["name"].clone();
+    let key = Key::from(kind).child(name.as_str().unwrap_or_default());
+    Grid::new("table").show(ui, |ui| row(ui, &key, &mut own, &record));
+    if kind == "light" {
+        place_light(&mut own);
+    }
+    ui.separator();
+    let key = Key::from("background");
+    Grid::new("scene").show(ui, |ui| row(ui, &key, &mut background, &record));
+    if copies || deletes || adds_light || [&own, &background] != [&before[0], &before[1]] {
+        // With the changes of this layout.
+        let mut scene = json!(SceneRecord::of(&document.scene.world));
+        scene["background"] = background;
+        if kind == "camera" && scene["view"]["camera"] == name {
+            scene["view"]["camera"] = json!((!deletes).then(|| own["name"].clone()));
         }
-        let record = SceneRecord::of(&self.scene.world);
-        let count = |kind: &str| names_of(&record, kind).count();
-        // Undo and a new file may leave fewer entities, and no lights.
-        let selected = self.desk.selected.filter(|it| count(it.0) > 0);
-        let mut selected = selected.unwrap_or(("cuboid", 0));
-        selected.1 = selected.1.min(count(selected.0) - 1);
-        let known = selected;
-        let can_delete = selected.0 == "light" || count(selected.0) > 1;
-        let buttons = ui.horizontal(|ui| {
-            let copy = ui.small_button("copy");
-            let delete = ui.add_enabled(can_delete, Button::new("delete").small());
-            let delete = delete.on_disabled_hover_text("A scene needs one.");
-            [copy, delete, ui.small_button("new light")].map(|button| button.clicked())
-        });
-        let [copies, deletes, adds_light] = buttons.inner;
-        entity_list(ui, &record, &mut selected);
-        ui.separator();
-        let (kind, mut place) = selected;
-        let before = [entity(&record, selected), json!(record.background)];
-        let [mut own, mut background] = before.clone();
-        let name = own["name"].clone();
-        let key = Key::from(kind).child(name.as_str().unwrap_or_default());
-        Grid::new("table").show(ui, |ui| row(ui, &key, &mut own, &record));
-        if kind == "light" {
-            place_light(&mut own);
-        }
-        ui.separator();
-        let key = Key::from("background");
-        Grid::new("scene").show(ui, |ui| row(ui, &key, &mut background, &record));
-        if copies || deletes || adds_light || [&own, &background] != [&before[0], &before[1]] {
-            let mut scene = json!(record);
-            scene["background"] = background;
-            if kind == "camera" && scene["view"]["camera"] == name {
-                scene["view"]["camera"] = json!((!deletes).then(|| own["name"].clone()));
+        if let Some(all) = scene[kind].as_array_mut() {
+            all[place] = own;
+            if copies {
+                all.push(copy(kind, all, &all[place]));
+                place = all.len() - 1;
             }
-            if let Some(all) = scene[kind].as_array_mut() {
-                all[place] = own;
-                if copies {
-                    all.push(copy(kind, all, &all[place]));
-                    place = all.len() - 1;
-                }
-                if deletes {
-                    all.remove(place);
-                    place = place.min(all.len().saturating_sub(1));
-                }
-            }
-            if adds_light && let Some(lights) = scene["light"].as_array_mut() {
-                selected = ("light", lights.len());
-                lights.push(copy("light", lights, &new_light()));
-            } else {
-                selected = (kind, place);
-            }
-            match edited(&scene) {
-                Ok(record) => {
-                    self.restore(&record);
-                    self.desk.message = None;
-                }
-                // A drag passes numbers that go together with others no longer, such as an `up` along the view.
-                Err(_) if ui.ctx().dragged_id().is_some() => {}
-                Err(error) => self.say(error.to_string()),
+            if deletes {
+                all.remove(place);
+                place = place.min(all.len().saturating_sub(1));
             }
         }
-        // After an undo the last entity may stand for one that a redo brings back.
-        if selected != known {
-            self.desk.selected = Some(selected);
+        if adds_light && let Some(lights) = scene["light"].as_array_mut() {
+            selected = ("light", lights.len());
+            lights.push(copy("light", lights, &new_light()));
+        } else {
+            selected = (kind, place);
+        }
+        match edited(&scene) {
+            Ok(record) => {
+                document.restore(&record);
+                desk.message = None;
+            }
+            // A drag passes numbers that go together with others no longer, such as an `up` along the view.
+            Err(_) if ui.ctx().dragged_id().is_some() => {}
+            Err(error) => desk.say(error.to_string()),
         }
     }
+    // After an undo the last entity may stand for one that a redo brings back.
+    if selected != known {
+        desk.selected = Some(selected);
+    }
+}
 
+impl Desk {
     /// Selects the entity of a kind, in scene files `key`, that has this name.
-    pub fn select<C: Component>(&mut self, key: &'static str, name: &str) {
-        let names = names::<C>(&self.scene.world);
+    pub fn select<C: Component>(&mut self, world: &World, key: &'static str, name: &str) {
+        let names = names::<C>(world);
         let place = names.iter().position(|own| own == name);
-        self.desk.selected = place.map(|place| (key, place)).or(self.desk.selected);
+        self.selected = place.map(|place| (key, place)).or(self.selected);
     }
 }
 

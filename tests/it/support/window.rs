@@ -23,7 +23,7 @@ pub fn app(scene: Scene, size: [usize; 2], level: Level) -> App {
         level,
     };
     let mut app = App::new(drawing, false).expect("one thread is always there");
-    app.shows_times = false;
+    app.desk.shows_times = false;
     app
 }
 

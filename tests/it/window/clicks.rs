@@ -80,7 +80,7 @@ fn a_click_within_one_step_does_what_a_slow_one_does() {
         // The handle of a slider is in its middle.
         let inside = |node: Node| node.rect().lerp_inside([0.2, 0.5]);
         let mut places: Vec<Pos2> = clicked.map(inside).collect();
-        let picture = harness.state().place;
+        let picture = harness.state().canvas.place;
         // The cuboid, and the divider of a wipe.
         places.extend([picture.center(), picture.center() + vec2(0.0, 60.0)]);
         places.retain(|at| at.y < SIZE[1] as f32);
@@ -113,6 +113,6 @@ fn a_choice_of_a_list_is_clicked_within_a_step() {
             click(&mut window, at);
         }
         window.wait(PAUSE);
-        assert_eq!(window.app.scene.name, "bench-far");
+        assert_eq!(window.app.document.scene.name, "bench-far");
     }
 }

@@ -21,12 +21,12 @@ const SMALL: [usize; 2] = [130, 100];
 fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::P);
-    window.click(window.app.place.center());
+    window.click(window.app.canvas.place.center());
     window.press(Key::N);
     window.press(Key::F5);
     window.step(Vec::new());
     let are_current = |window: &Window| {
-        let facts = &window.app.facts;
+        let facts = &window.app.study.facts;
         [
             facts.section.is_current,
             facts.comparison.is_current,
@@ -43,11 +43,14 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
     for key in [Key::OpenBracket, Key::G] {
         window.press(key);
         assert_eq!(are_current(&window)[1..], [false; 2], "{key:?}");
-        window.app.facts.comparison.is_current = true;
+        window.app.study.facts.comparison.is_current = true;
     }
     window.size = [140, 90];
     window.step(Vec::new());
-    assert!(!window.app.facts.comparison.is_current, "another size");
+    assert!(
+        !window.app.study.facts.comparison.is_current,
+        "another size"
+    );
 }
 
 #[test]
@@ -55,14 +58,14 @@ fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized_and_in_the_pictu
     let mut window = Window::of(default_scene(), [300, 200]);
     window.click(Pos2::new(170.0, 120.0));
     let before = window.app.pixel().expect("a pixel");
-    let (place, [width, height]) = (window.record().view.pixel, window.app.picture_size());
+    let (place, [width, height]) = (window.record().view.pixel, window.app.canvas.size());
     window.size = [600, 400];
     (0..2).for_each(|_| window.wait(PAUSE));
-    assert!(window.app.facts.section.current().is_some());
+    assert!(window.app.study.facts.section.current().is_some());
     let pixel = window.app.probed().expect("an answer").pixel;
     assert_eq!(Some(pixel), window.app.pixel());
     assert_eq!(window.record().view.pixel, place);
-    let [wider, higher] = window.app.picture_size();
+    let [wider, higher] = window.app.canvas.size();
     let scale = higher as f64 / height as f64;
     for (before, after, sides) in [
         (before[0], pixel[0], [width, wider]),
@@ -83,7 +86,13 @@ fn the_part_that_matters_most_comes_first() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::P);
     window.press(Key::N);
-    let parts = window.app.facts.required.current().expect("an answer");
+    let parts = window
+        .app
+        .study
+        .facts
+        .required
+        .current()
+        .expect("an answer");
     assert!(parts.iter().any(|it| it.name.contains("red")));
     assert!(parts.is_sorted_by(|one, other| one.change.most() >= other.change.most()));
     let left_out = parts.iter().filter(|it| it.change.keeps(0.5)).count();
@@ -98,8 +107,8 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
     window.app.desk.tab = Some(Tab::Proof);
     window.wait(PAUSE);
     window.wait(PAUSE);
-    let proof = window.app.facts.proof.current().expect("an answer");
-    let [width, height] = window.app.picture_size();
+    let proof = window.app.study.facts.proof.current().expect("an answer");
+    let [width, height] = window.app.canvas.size();
     assert_eq!(proof.refuted, 0);
     assert_eq!(proof.proven + proof.undecided, (width * height) as u64);
 }
@@ -126,7 +135,7 @@ fn different_modes_are_mixed_until_a_key_makes_them_equal() {
     let other = records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]);
     record.cuboid.push(other);
     let mut window = Window::of(Scene::spawn("two".to_owned(), &record), SMALL);
-    let mode = |window: &Window| common_mode(&window.app.scene.world);
+    let mode = |window: &Window| common_mode(&window.app.document.scene.world);
     assert_eq!(mode(&window), None);
     // The first one has this mode already.
     window.press(Key::G);

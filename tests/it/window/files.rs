@@ -27,7 +27,7 @@ pub fn on_file() -> (Window, PathBuf) {
 
 /// Makes an edit that must be saved.
 pub fn change(window: &mut Window, intensity: f64) {
-    let lights = window.app.scene.world.query_mut::<&mut Light>();
+    let lights = window.app.document.scene.world.query_mut::<&mut Light>();
     lights
         .into_iter()
         .for_each(|light| light.intensity = intensity);
@@ -98,7 +98,7 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     assert_eq!(read(&file("cuboid-3.toml")), window.record());
     assert_eq!(fs::read(file("cuboid-2.toml")).expect("read"), b"mine");
     for (name, told) in [("", "needs a name"), (" mine.toml", "saved")] {
-        window.app.file.new_name = name.to_owned();
+        window.app.document.file.new_name = name.to_owned();
         window.press_with(CONTROL_SHIFT, Key::S);
         assert!(window.message().contains(told), "{name}");
     }
@@ -108,7 +108,7 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
 #[test]
 fn the_title_has_a_star_while_edits_are_not_saved() {
     let (mut window, _) = on_file();
-    let has_star = |window: &Window| window.app.title().contains('*');
+    let has_star = |window: &Window| window.app.document.title().contains('*');
     for key in [
         Key::W,
         Key::ArrowLeft,
@@ -123,7 +123,7 @@ fn the_title_has_a_star_while_edits_are_not_saved() {
     }
     window.wait(PAUSE);
     edit(&mut window, 3.0);
-    assert!(has_star(&window) && window.app.title().contains("mine.toml"));
+    assert!(has_star(&window) && window.app.document.title().contains("mine.toml"));
     window.undo();
     assert!(!has_star(&window));
     window.redo();
@@ -145,7 +145,7 @@ fn a_built_in_scene_is_chosen_from_a_list() {
     harness.run_ok();
     harness.get_by_label("assignment").click();
     harness.run_ok();
-    assert_eq!(harness.state().scene.name, "assignment");
+    assert_eq!(harness.state().document.scene.name, "assignment");
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
         .1
         .replace("size = [4.0, 3.0, 2.0]", "size = [5.0, 3.25, 2.0]");
     fs::write(&path, text).expect("written");
-    window.app.file.new_name = "other".to_owned();
+    window.app.document.file.new_name = "other".to_owned();
     save(&mut window);
     assert!(window.message().starts_with("not saved"), "it was not read");
     window.wait(PAUSE);
@@ -168,14 +168,14 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
     assert_eq!(record.light[0].intensity, 10.0);
     assert_eq!(record.camera, edited.camera, "the camera stays where it is");
     assert_eq!(record.view, edited.view);
-    assert!(!window.message().is_empty() && window.app.file.new_name == "other");
+    assert!(!window.message().is_empty() && window.app.document.file.new_name == "other");
     window.wait(PAUSE);
     window.undo();
     assert_eq!(window.record(), edited);
     // An edit that no key or button has ended.
     let mut record = edited;
     record.light[0].intensity = 4.0;
-    window.app.restore(&record);
+    window.app.document.restore(&record);
     fs::write(&path, BUILT_IN[0].1).expect("written");
     (0..12).for_each(|_| window.step(Vec::new()));
     assert_eq!(window.record().light[0].intensity, 10.0);
@@ -209,17 +209,22 @@ fn a_file_that_holds_no_scene_is_reported_and_the_scene_stays() {
         ] {
             let (mut window, path) = on_file();
             edit(&mut window, 3.0);
-            let before = (window.record(), window.app.picture_size());
+            let before = (window.record(), window.app.canvas.size());
             change(&path);
             (0..3).for_each(|_| window.wait(PAUSE));
             let error = window.app.desk.file_error.clone().expect("an error");
             let is_told = error.contains("mine.toml") && error.contains(word);
             assert!(is_told, "{error}");
-            assert_eq!((window.record(), window.app.picture_size()), before);
+            assert_eq!((window.record(), window.app.canvas.size()), before);
             // A wrong text is kept, and only a deleted file can be written.
             save(&mut window);
             let is_saved = word == "deleted";
-            assert_eq!(window.app.is_edited(), !is_saved, "{}", window.message());
+            assert_eq!(
+                window.app.document.is_edited(),
+                !is_saved,
+                "{}",
+                window.message()
+            );
             assert_eq!(window.message().starts_with("not saved"), !is_saved);
             assert_eq!(window.app.desk.file_error.is_none(), is_saved);
             if word == "fov" {

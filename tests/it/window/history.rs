@@ -49,7 +49,7 @@ fn changes_are_undone_and_redone_in_order() {
 #[test]
 fn changes_of_one_gesture_are_one_step() {
     let mut window = Window::open();
-    let at = window.app.place.center();
+    let at = window.app.canvas.place.center();
     let mut states = vec![window.record()];
     // A key that is held, two presses at once, the wheel without a pause, and a slow drag.
     window.key(Key::ArrowLeft, true);
@@ -88,7 +88,7 @@ fn undo_does_not_change_rotation_and_pixel() {
     let mut window = Window::open();
     window.press(Key::W);
     window.wait(PAUSE);
-    window.click(window.app.place.center());
+    window.click(window.app.canvas.place.center());
     window.press(Key::Space);
     (0..20).for_each(|_| window.wait(PAUSE / 50));
     let before = window.record();
@@ -128,7 +128,7 @@ fn an_undone_change_is_named() {
         window.press(C);
         let mut record = window.record();
         change(&mut record);
-        window.app.restore(&record);
+        window.app.document.restore(&record);
         window.step(Vec::new());
         window.undo();
         assert_eq!(window.message(), format!("undo: {words}"));

@@ -95,11 +95,11 @@ fn every_key_does_what_its_description_says() {
         let before = window.record();
         window.modifiers = *modifiers;
         window.key(*key, true);
-        let blinks = window.app.turn().is_some();
+        let blinks = window.app.desk.turn().is_some();
         window.key(*key, false);
         assert_eq!(
             window.record(),
-            expected(action, &before, window.app.picture_size()),
+            expected(action, &before, window.app.canvas.size()),
             "{key:?}"
         );
         let desk = &window.app.desk;
@@ -110,11 +110,11 @@ fn every_key_does_what_its_description_says() {
             (desk.tab == Some(Tab::Scene), Action::Tab(Tab::Scene)),
             (desk.tab == Some(Tab::Required), Action::Tab(Tab::Required)),
             (window.app.viewer().turns, Action::Rotate),
-            (window.app.quits, Action::Quit),
+            (window.app.desk.quits, Action::Quit),
         ] {
             assert_eq!(is_on, action == own, "{key:?}");
         }
-        assert_eq!(window.app.turn(), None, "{key:?}");
+        assert_eq!(window.app.desk.turn(), None, "{key:?}");
         let saved = match action {
             Action::Save | Action::SaveAs => vec!["cuboid.toml"],
             Action::Screenshot => vec!["shadetrade-001.png"],
@@ -164,7 +164,7 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
     }
     assert_eq!(window.record(), before);
     let desk = &window.app.desk;
-    assert!(!desk.help && !desk.panel_folded && desk.blinks.is_none() && !window.app.quits);
+    assert!(!desk.help && !desk.panel_folded && desk.blinks.is_none() && !window.app.desk.quits);
     // Keys that a text field ignores.
     window.press(Key::F6);
     assert_eq!(window.record().view.show, ViewMode::Tiles);
@@ -184,7 +184,7 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
 fn tab_goes_through_the_widgets_and_scrolls_to_each() {
     let size = [800, 400];
     let mut app = app_with_trade(size);
-    app.facts.comparison.finish(Some(Comparison {
+    app.study.facts.comparison.finish(Some(Comparison {
         error: Some(165.0),
         ..Comparison::default()
     }));
@@ -207,7 +207,7 @@ fn escape_closes_one_visible_thing_at_a_time() {
     // A narrow window has a drawer for the inspector.
     for (size, presses) in [(SIZE, 3), ([500, 400], 4)] {
         let mut window = Window::of(default_scene(), size);
-        window.click(window.app.place.center());
+        window.click(window.app.canvas.place.center());
         window.press(Key::H);
         // The last press closes nothing and names the key that quits.
         for _ in 0..presses {
@@ -224,25 +224,29 @@ fn escape_closes_one_visible_thing_at_a_time() {
 fn the_picture_keeps_its_size_when_the_inspector_opens() {
     for width in [330, 500, 960, 1199, 1200, 1900] {
         let mut window = Window::of(default_scene(), [width, 400]);
-        let (size, place) = (window.app.picture_size(), window.app.place);
+        let (size, place) = (window.app.canvas.size(), window.app.canvas.place);
         assert!(size[0] > 100, "{width}");
         for x in [0.2, 0.8] {
             // The drawer leaves the pixel that is clicked in sight.
             window.click(place.min + place.size() * vec2(x, 0.5));
             window.step(Vec::new());
-            assert_eq!(window.app.picture_size(), size, "{width}");
+            assert_eq!(window.app.canvas.size(), size, "{width}");
             assert_eq!(window.app.desk.tab, Some(Tab::Pixel), "{width}");
             let at = window
                 .app
+                .canvas
                 .place_of(window.app.pixel().expect("it was clicked"));
             window.click(at);
             assert_eq!(
-                window.app.place_of(window.app.pixel().expect("it is seen")),
+                window
+                    .app
+                    .canvas
+                    .place_of(window.app.pixel().expect("it is seen")),
                 at
             );
         }
         window.press(Key::E);
         window.step(Vec::new());
-        assert_eq!(window.app.picture_size(), size, "{width}");
+        assert_eq!(window.app.canvas.size(), size, "{width}");
     }
 }

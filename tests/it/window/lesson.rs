@@ -26,12 +26,12 @@ pub fn open() -> Window {
 #[test]
 fn keys_go_on_and_back_and_a_step_shows_the_scene_as_the_lesson_has_it() {
     let mut window = open();
-    let steps = window.app.scene.lesson.clone();
+    let steps = window.app.document.scene.lesson.clone();
     assert_eq!(window.record(), *steps[0].record);
-    let size = window.app.picture_size();
+    let size = window.app.canvas.size();
     window.press(Key::Enter);
     assert_eq!(window.record(), *steps[1].record);
-    assert_eq!(window.app.picture_size(), size);
+    assert_eq!(window.app.canvas.size(), size);
     window.press(Key::Enter);
     assert_eq!(window.record(), *steps[1].record);
     assert!(window.message().contains("no such step"));
@@ -61,7 +61,7 @@ fn the_sentence_of_the_step_is_shown() {
 fn a_step_is_no_edit() {
     let mut window = open();
     window.press(Key::Enter);
-    assert!(!window.app.is_edited());
+    assert!(!window.app.document.is_edited());
     assert!(window.app.may_close(true).expect("it closes"));
     assert_eq!(window.files(), [""; 0]);
 }

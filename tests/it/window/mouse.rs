@@ -4,7 +4,9 @@ use egui::{Key, Pos2, vec2};
 use shadetrade::components::{Light, LightKind, ShadingMode, Transform};
 use shadetrade::frame::display_step;
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
+use shadetrade::window::lights::{Disc, drag_light, lights};
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::records;
@@ -18,8 +20,16 @@ fn with_light_at(height: f64) -> Window {
     Window::of(Scene::spawn("lit".to_owned(), &record), SIZE)
 }
 
+/// The discs of the lights in sight.
+fn discs(window: &Window) -> Vec<Disc> {
+    let App {
+        document, canvas, ..
+    } = &window.app;
+    lights(&document.scene.world, &window.app.view(), canvas)
+}
+
 fn place_of(window: &Window, name: &str) -> Pos2 {
-    let discs = window.app.lights();
+    let discs = discs(window);
     let disc = discs.iter().find(|disc| disc.name == name);
     disc.expect("a disc").at
 }
@@ -27,7 +37,7 @@ fn place_of(window: &Window, name: &str) -> Pos2 {
 #[test]
 fn each_notch_of_the_wheel_is_a_step_and_the_same_number_back_undoes_them_bit_for_bit() {
     let mut window = Window::open();
-    let at = window.app.place.center();
+    let at = window.app.canvas.place.center();
     let start = (window.record(), window.seen());
     for notches in [1.0_f32, 7.0, -3.0] {
         let factor = 1.1_f64.powf(-f64::from(notches));
@@ -58,12 +68,12 @@ fn a_click_selects_in_the_scenes_tab() {
     window.click(place_of(&window, "near"));
     let selected = |window: &Window| window.app.desk.selected;
     assert_eq!(selected(&window), Some(("light", 4)));
-    window.click(window.app.place.center());
+    window.click(window.app.canvas.place.center());
     assert_eq!(selected(&window), Some(("cuboid", 0)));
     assert_eq!(window.app.desk.tab, Some(Tab::Scene));
     // A pixel of the same row, which is probed already.
     window.click(place_of(&window, "near"));
-    window.click(window.app.place.center() + vec2(8.0, 0.0));
+    window.click(window.app.canvas.place.center() + vec2(8.0, 0.0));
     window.step(Vec::new());
     assert_eq!(selected(&window), Some(("cuboid", 0)));
     // The pixel is probed again after a change; what is selected stays.
@@ -78,7 +88,7 @@ fn a_drag_turns_the_camera_equally_far_in_one_step_or_many() {
     let mut turned = Vec::new();
     for steps in [1, 10] {
         let mut window = Window::open();
-        let at = window.app.place.center();
+        let at = window.app.canvas.place.center();
         window.drag(at, at + vec2(100.0, 50.0), steps);
         let orbit = window.record().camera[0].orbit;
         assert!(orbit.azimuth < 0.0 && orbit.elevation > 0.0);
@@ -97,7 +107,7 @@ fn a_drag_turns_the_camera_equally_far_in_one_step_or_many() {
 fn only_lights_in_sight_have_discs() {
     // Those of the default scene are behind the eye, and the fourth is everywhere.
     let names = |height| {
-        let discs = with_light_at(height).app.lights().into_iter();
+        let discs = discs(&with_light_at(height)).into_iter();
         discs.map(|disc| disc.name).collect::<Vec<_>>()
     };
     assert_eq!(names(2.0), ["near"]);
@@ -133,16 +143,16 @@ fn a_dragged_light_follows_the_mouse_and_has_short_numbers() {
 fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     let mut window = Window::open();
     window.press(Key::F3);
-    let [width, height] = window.app.picture_size();
+    let [width, height] = window.app.canvas.size();
     // The lower rows are covered by no text.
     let lower = width * (height - 150)..width * (height - 30);
     let sides = [ShadingMode::Gouraud, ShadingMode::Phong]
         .map(|mode| window.drawn(|view| view.shaded(mode))[lower.clone()].to_vec());
     assert_ne!(sides[0], sides[1]);
-    let mut x = window.app.place.center().x;
+    let mut x = window.app.canvas.place.center().x;
     for share in [0.3, 0.7, -1.0, 2.0] {
-        let y = window.app.place.max.y - 30.0;
-        let to = window.app.place.min.x + width as f32 * share;
+        let y = window.app.canvas.place.max.y - 30.0;
+        let to = window.app.canvas.place.min.x + width as f32 * share;
         window.point_at(Pos2::new(x, y));
         let orbit = window.record().camera[0].orbit;
         window.drag(Pos2::new(x, y), Pos2::new(to, y), 3);
@@ -151,7 +161,7 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
         let wanted = f64::from(share.clamp(0.02, 0.98));
         assert!((divider - wanted).abs() < 0.01, "{divider}");
         let column = (divider * width as f64).round() as usize;
-        x = window.app.place.min.x + column as f32;
+        x = window.app.canvas.place.min.x + column as f32;
         let seen = window.seen()[lower.clone()].to_vec();
         for (index, pixel) in seen.iter().enumerate() {
             let own = index % width;
@@ -190,12 +200,14 @@ fn the_rotation_follows_the_clock_and_stops_where_it_is_switched_off() {
 fn a_light_dragged_beyond_the_range_of_positions_stays() {
     let mut window = with_light_at(2.0);
     let far = 9.99e99;
-    let world = &mut window.app.scene.world;
+    let world = &mut window.app.document.scene.world;
     let lights = world.query_mut::<&mut Transform>().with::<&Light>();
     lights.into_iter().for_each(|place| place.position.x = far);
     window.step(Vec::new());
     for _ in 0..50 {
-        window.app.drag_light("near", vec2(1e6, 0.0));
+        let view = window.app.view();
+        let world = &mut window.app.document.scene.world;
+        drag_light(world, &view, "near", vec2(1e6, 0.0));
     }
     window.step(Vec::new());
     window.record().check().expect("a legal scene");
@@ -212,7 +224,7 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
         probe.surface.as_ref().map(|surface| surface.mode)
     };
     for (share, shown) in [(-0.1, ShadingMode::Gouraud), (0.1, ShadingMode::Phong)] {
-        let place = window.app.place;
+        let place = window.app.canvas.place;
         let at = place.center() + vec2(share * place.width(), 10.0);
         window.click(at);
         let [x, y] = [at.x - place.min.x, at.y - place.min.y].map(|it| it as usize);
@@ -220,16 +232,16 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
         assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
         assert_eq!(mode(&window), Some(shown));
         let surface = window.app.probed().and_then(|it| it.surface.clone());
-        let [width, _] = window.app.picture_size();
+        let [width, _] = window.app.canvas.size();
         let [_, bytes @ ..] = window.app.shown()[y * width + x].to_be_bytes();
         let levels = surface.expect("a cuboid").drawn;
         assert_eq!(levels.map(display_step), bytes);
     }
     // The divider goes past the pixel.
-    let place = window.app.place;
+    let place = window.app.canvas.place;
     window.drag(place.center(), place.right_center() - vec2(20.0, 0.0), 3);
     assert_eq!(mode(&window), Some(ShadingMode::Gouraud));
     window.press(Key::F2);
-    window.click(window.app.place.min + vec2(3.0, 3.0));
+    window.click(window.app.canvas.place.min + vec2(3.0, 3.0));
     assert_eq!(mode(&window), None, "background");
 }

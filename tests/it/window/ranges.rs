@@ -93,7 +93,7 @@ fn no_slider_and_no_drag_makes_an_illegal_number() {
             record.view.budget = budget;
             let app = harness.state_mut();
             app.desk.tab = Some(tab);
-            app.restore(&record);
+            app.document.restore(&record);
             app.desk.selected = Some((entity, 0));
             app.desk.message = None;
             harness.run_ok();
@@ -111,7 +111,7 @@ fn no_slider_and_no_drag_makes_an_illegal_number() {
                     harness.hover_at(from + vec2(right, 0.0) * way);
                     harness.run_ok();
                     let app = harness.state();
-                    let now = SceneRecord::of(&app.scene.world);
+                    let now = SceneRecord::of(&app.document.scene.world);
                     now.check().expect("names and numbers go together");
                     SceneRecord::deserialize(&json!(now)).expect("each number is within its range");
                     assert_eq!(app.desk.message, None, "{entity}, number {index}");
@@ -137,6 +137,6 @@ fn a_drag_beyond_the_end_of_a_range_reaches_the_end() {
     harness.run_ok();
     harness.hover_at(from - vec2(9000.0, 0.0));
     harness.run_ok();
-    let now = SceneRecord::of(&harness.state().scene.world);
+    let now = SceneRecord::of(&harness.state().document.scene.world);
     assert_eq!(now.light[0].intensity, 0.0);
 }

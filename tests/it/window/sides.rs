@@ -34,7 +34,7 @@ fn both_tags_are_whole_in_windows_of_any_width() {
     for size in [SIZE, [760, 700]] {
         let mut harness = widgets(measured(), size);
         press(&mut harness, Key::F3);
-        let place = harness.state().place;
+        let place = harness.state().canvas.place;
         let tags = [
             ["Gouraud", "worst pixel 165 of 255"],
             ["Phong within half a level", "worst pixel 0.490 of 255"],
@@ -97,7 +97,7 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     let tag = harness.get_by_label("worst pixel 0.490 of 255").rect();
     window.click(tag.center());
     assert_eq!(probed(&window), Some(WORST[0]));
-    let [width, _] = window.app.picture_size();
+    let [width, _] = window.app.canvas.size();
     assert!(window.app.viewer().divider < WORST[0][0] as f64 / width as f64);
     // The key chooses the side that errs more.
     let mut window = open(Some(Tab::Scene));

@@ -33,7 +33,7 @@ impl Storm {
         let window = Window::of(default_scene(), size);
         Storm {
             first: window.record(),
-            name: window.app.scene.name.clone(),
+            name: window.app.document.scene.name.clone(),
             window,
             random: Random(seed),
             most,
@@ -96,7 +96,7 @@ impl Storm {
         if self.most == LARGE {
             self.fold_slow_answers();
         }
-        let name = &self.window.app.scene.name;
+        let name = &self.window.app.document.scene.name;
         if *name != self.name
             && let Ok(scene) = Scene::load(Some(name))
             && scene.path.is_none()
@@ -104,7 +104,7 @@ impl Storm {
             self.first = SceneRecord::of(&scene.world);
         }
         self.name.clone_from(name);
-        self.window.app.quits = false;
+        self.window.app.desk.quits = false;
         self.window.record().check().expect("a legal scene");
     }
 
@@ -153,8 +153,8 @@ fn after_a_storm_everything_can_be_undone_and_the_saved_file_is_read_again() {
         let window = &mut storm.window;
         window.size = [90, 70];
         window.app.desk.help = false;
-        window.app.save(true);
-        let path = window.app.scene.path.clone().expect("a file");
+        window.app.run(Action::SaveAs);
+        let path = window.app.document.scene.path.clone().expect("a file");
         let read = Scene::load_path(&path).unwrap_or_else(|error| panic!("{seed}: {error}"));
         assert_eq!(SceneRecord::of(&read.world), window.record(), "{seed}");
         window.wait(Duration::from_secs(2));

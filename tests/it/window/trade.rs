@@ -16,6 +16,7 @@ use shadetrade::trade::Measurement;
 use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
+use shadetrade::window::controls::{choose_method, wipe};
 
 use super::{FRAME, Window, press};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -26,7 +27,7 @@ const SIZE: [usize; 2] = [900, 700];
 pub const WORST: [[usize; 2]; 2] = [[430, 400], [700, 330]];
 
 /// Milliseconds and errors of [`METHODS`]: a smaller error takes longer, except for exact Gouraud and the shortcut.
-fn measured() -> Vec<Measurement> {
+pub fn measured() -> Vec<Measurement> {
     let figures = [
         (0.8, 165.0),
         (0.2, 165.0),
@@ -55,9 +56,16 @@ fn measured() -> Vec<Measurement> {
 /// A window with this measurement.
 pub fn app_with_trade(size: [usize; 2]) -> App {
     let mut app = app(default_scene(), size, Level::new());
-    app.shows_times = true;
-    app.facts.trade.finish(Some(measured()));
+    app.desk.shows_times = true;
+    app.study.facts.trade.finish(Some(measured()));
     app
+}
+
+fn set_budget(window: &mut Window, budget: f64) {
+    let App {
+        document, choice, ..
+    } = &mut window.app;
+    choice.set_budget(&mut document.scene.world, Some(budget));
 }
 
 fn open() -> Window {
@@ -128,19 +136,19 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
     let mut window = Window::with(app_with_trade(SIZE), [430, 200]);
     for key in [Key::P, Key::OpenBracket, Key::G, Key::F5, Key::H, Key::H] {
         window.press(key);
-        assert!(window.app.facts.trade.current().is_some(), "{key:?}");
+        assert!(window.app.study.facts.trade.current().is_some(), "{key:?}");
     }
     for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
-        window.app.facts.trade.finish(Some(measured()));
+        window.app.study.facts.trade.finish(Some(measured()));
         window.press(key);
-        assert!(!window.app.facts.trade.is_current, "{key:?}");
-        let old = window.app.measured(Method::of(Phong, 1.0));
+        assert!(!window.app.study.facts.trade.is_current, "{key:?}");
+        let old = window.app.study.facts.measured(Method::of(Phong, 1.0));
         assert!(old.is_some(), "{key:?}");
     }
-    window.app.facts.trade.finish(Some(measured()));
+    window.app.study.facts.trade.finish(Some(measured()));
     window.size = [430, 190];
     window.step(Vec::new());
-    assert!(!window.app.facts.trade.is_current, "another size");
+    assert!(!window.app.study.facts.trade.is_current, "another size");
 }
 
 #[test]
@@ -159,18 +167,18 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
         (0.32, (Phong, 4.0)),
         (0.1, (Gouraud, 0.5)),
     ] {
-        window.app.set_budget(Some(budget));
+        set_budget(&mut window, budget);
         window.step(Vec::new());
         let method = Method::of(mode, tolerance);
         assert_eq!(window.app.method(), Some(method), "{budget} ms");
         let expected = window.drawn(|view| method.view(&view));
-        let frame = window.app.pictures.frame.pixels();
+        let frame = window.app.canvas.pictures.frame.pixels();
         assert!(frame == expected, "{budget} ms");
         assert_eq!(window.record().cuboid, start.cuboid);
-        assert!(window.app.facts.trade.current().is_some());
+        assert!(window.app.study.facts.trade.current().is_some());
     }
     // More time, and less.
-    window.app.set_budget(Some(0.36));
+    set_budget(&mut window, 0.36);
     window.press(Key::OpenBracket);
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.5)));
     window.press(Key::CloseBracket);
@@ -182,21 +190,21 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     window.press(Key::M);
     window.press(Key::G);
     assert_eq!(window.app.viewer().budget, None);
-    assert_eq!(common_mode(&window.app.scene.world), Some(Gouraud));
+    assert_eq!(common_mode(&window.app.document.scene.world), Some(Gouraud));
 }
 
 #[test]
 fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_not() {
     let mut window = open();
-    window.app.set_budget(Some(0.6));
+    set_budget(&mut window, 0.6);
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // Measurements of another view say nothing about this one, and nothing moves.
-    window.app.facts.trade.is_current = false;
+    window.app.study.facts.trade.is_current = false;
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
     // No frame of this picture takes so little time.
-    window.app.set_budget(Some(0.0011));
+    set_budget(&mut window, 0.0011);
     window.key(Key::ArrowLeft, true);
     assert_eq!(window.app.method(), Some(Method::of(Gouraud, 0.5)));
     assert_eq!(window.record().view.budget, Some(0.0011));
@@ -212,7 +220,7 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
 fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::StepOutput {
     let start = Instant::now();
     while start.elapsed() < Duration::from_mins(10) {
-        let now = app.now + FRAME;
+        let now = app.desk.now + FRAME;
         let output = app.step(now, [300, 240], RawInput::default());
         let output = output.expect("a small picture fits");
         if is_done(app) {
@@ -232,26 +240,31 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
         level: Level::new(),
     };
     let mut app = App::new(drawing, true).expect("there are threads");
-    run(&mut app, |app| app.facts.trade.current().is_some());
-    let measured = app.facts.trade.value.iter().flatten();
+    run(&mut app, |app| app.study.facts.trade.current().is_some());
+    let measured = app.study.facts.trade.value.iter().flatten();
     let methods: Vec<Method> = measured.map(|it| it.method).collect();
     let mut known = METHODS.to_vec();
     known.retain(|it| it.mode != UnitVectors);
     assert_eq!(methods, known);
     let [shown, beside] = [0.7, 0.3].map(|tolerance| Method::of(Phong, tolerance));
-    app.choose_method(shown);
+    let world = &mut app.document.scene.world;
+    choose_method(world, shown);
     let side = Side::Method {
         mode: Phong,
         tolerance: beside.tolerance,
     };
-    app.wipe([side, Side::Reference]);
+    wipe(world, [side, Side::Reference]);
     run(&mut app, |app| {
-        app.measured(beside).is_some() && app.facts.comparison.current().is_some()
+        app.study.facts.measured(beside).is_some() && app.study.facts.comparison.current().is_some()
     });
-    assert!(known.iter().all(|it| app.measured(*it).is_some()));
-    let shown = app.measured(shown).expect("it is measured");
-    let mut world = app.state.spawn();
-    let view = View::of(&world, app.picture_size());
+    assert!(
+        known
+            .iter()
+            .all(|it| app.study.facts.measured(*it).is_some())
+    );
+    let shown = app.study.facts.measured(shown).expect("it is measured");
+    let mut world = app.document.state.spawn();
+    let view = View::of(&world, app.canvas.size());
     let compared = Comparison::of(&mut world, &view, Level::new(), Monitor::NONE);
     let compared = compared.expect("it fits");
     assert_eq!(shown.largest_error(), compared.error);

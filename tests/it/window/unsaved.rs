@@ -7,6 +7,7 @@ use std::time::Duration;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::window::desk::Command;
 use tempfile::TempDir;
 
 use super::files::{change, edit, on_file, read, save, write};
@@ -22,7 +23,7 @@ fn state_folder(window: &Window) -> PathBuf {
 fn keeping() -> (Window, PathBuf) {
     let (mut window, path) = on_file();
     let state = state_folder(&window);
-    window.app.keep_edits(vec![state]);
+    window.app.document.keep_edits(vec![state]);
     (window, path)
 }
 
@@ -35,7 +36,10 @@ fn kill(window: Window) -> TempDir {
 fn start(folder: TempDir, path: Option<&Path>) -> Window {
     let scene = path.map(|path| Scene::load_path(path).expect("a scene"));
     let mut window = Window::of(scene.unwrap_or_else(default_scene), SIZE);
-    window.app.keep_edits(vec![folder.path().join("state")]);
+    window
+        .app
+        .document
+        .keep_edits(vec![folder.path().join("state")]);
     window.folder = folder;
     window.step(Vec::new());
     window
@@ -114,7 +118,7 @@ fn the_file_of_edits_goes_when_they_are_saved_or_undone() {
     let files = ["mine-2-unsaved.toml", "mine-2.toml", "mine.toml"];
     assert_eq!(window.files(), files);
     window.undo();
-    assert!(!window.app.title().contains('*'));
+    assert!(!window.app.document.title().contains('*'));
     // It is not offered either.
     window.wait(PAUSE);
     let folder = kill(window);
@@ -136,7 +140,7 @@ fn edits_of_a_window_that_ended_are_offered_until_they_are_restored_or_discarded
     let folder = kill(window);
     let mut window = answer(start(folder, Some(&path)), "restore");
     assert_eq!(window.record(), edits);
-    assert!(window.app.title().contains('*'));
+    assert!(window.app.document.title().contains('*'));
     // A restart still offers them.
     let folder = kill(window);
     window = answer(start(folder, Some(&path)), "restore");
@@ -203,7 +207,7 @@ fn edits_go_to_a_folder_of_the_user_s_where_the_scene_has_none() {
     fs::rename(other, &path).expect("moved");
     window.app.open(Scene::load_path(&path).expect("a scene"));
     let state = state_folder(&window);
-    window.app.keep_edits(vec![state.clone()]);
+    window.app.document.keep_edits(vec![state.clone()]);
     edit(&mut window, 3.0);
     fs::remove_dir_all(&folder).expect("removed");
     window.wait(PAUSE);
@@ -239,7 +243,7 @@ fn edits_that_cannot_be_written_are_told_once_and_hold_the_window() {
     edit(&mut window, 4.0);
     assert_eq!(window.message(), "");
     window.press(Key::Q);
-    assert!(!window.app.may_close(false).expect("it stays") && !window.app.quits);
+    assert!(!window.app.may_close(false).expect("it stays") && !window.app.desk.quits);
     assert!(window.message().contains("not closed"));
     assert!(window.app.may_close(true).is_err());
     // As soon as there is a place, they are there.
@@ -269,7 +273,7 @@ fn edits_that_a_changed_file_takes_away_are_offered() {
 fn edits_that_a_step_of_a_lesson_takes_away_are_offered() {
     let mut window = lesson::open();
     let state = state_folder(&window);
-    window.app.keep_edits(vec![state]);
+    window.app.document.keep_edits(vec![state]);
     change(&mut window, 3.0);
     let edits = window.record();
     window.press(Key::Enter);
@@ -278,19 +282,25 @@ fn edits_that_a_step_of_a_lesson_takes_away_are_offered() {
     assert_eq!(window.record(), edits);
 }
 
+fn choose(window: &mut Window, scene: Scene) {
+    let wish = Command::Open(Box::new(scene));
+    window.app.desk.commands.push(wish);
+    window.step(Vec::new());
+}
+
 #[test]
 fn another_scene_leaves_the_edits_of_the_one_before_on_disk() {
     let (mut window, path) = keeping();
     change(&mut window, 3.0);
     let edits = window.record();
     let other = Scene::load(Some("assignment")).expect("built in");
-    window.app.choose(other);
+    choose(&mut window, other);
     window.wait(PAUSE);
-    assert!(window.app.title().contains("assignment"));
+    assert!(window.app.document.title().contains("assignment"));
     window.undo();
     assert_eq!(window.message(), "nothing to undo");
     assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
-    window.app.choose(Scene::load_path(&path).expect("a scene"));
+    choose(&mut window, Scene::load_path(&path).expect("a scene"));
     let window = answer(window, "restore");
     assert_eq!(window.record(), edits);
 }

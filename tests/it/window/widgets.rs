@@ -8,7 +8,8 @@ use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{Light, Projection, Viewer, names};
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::app::{App, Desk};
+use shadetrade::window::app::App;
+use shadetrade::window::desk::Desk;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{Action, BINDINGS};
 
@@ -23,7 +24,7 @@ fn open() -> Harness<'static, App> {
 }
 
 fn record(harness: &Harness<App>) -> SceneRecord {
-    SceneRecord::of(&harness.state().scene.world)
+    SceneRecord::of(&harness.state().document.scene.world)
 }
 
 fn click_at(harness: &mut Harness<App>, at: Pos2) {
@@ -46,7 +47,7 @@ fn click(harness: &mut Harness<App>, label: &str) {
 /// Clicks the last widget with this label in the inspector.
 #[track_caller]
 fn click_inside(harness: &mut Harness<App>, label: &str) {
-    let left = harness.state().place.max.x;
+    let left = harness.state().canvas.place.max.x;
     let mut found = places(harness, label);
     found.retain(|at| at.x > left);
     let place = found.last().expect("a widget with this label");
@@ -102,12 +103,12 @@ fn every_button_does_what_its_key_does() {
             }
             let app = harness.state_mut();
             let state = (
-                SceneRecord::of(&app.scene.world),
+                SceneRecord::of(&app.document.scene.world),
                 app.viewer().turns,
                 app.desk.help,
             );
             app.viewer_mut().turns = false;
-            app.restore(&start);
+            app.document.restore(&start);
             app.desk = Desk::default();
             harness.run_ok();
             state
@@ -119,10 +120,10 @@ fn every_button_does_what_its_key_does() {
     let hold = places(&harness, "blink (hold)")[0];
     harness.drag_at(hold);
     harness.run_ok();
-    assert!(harness.state().turn().is_some());
+    assert!(harness.state().desk.turn().is_some());
     harness.drop_at(hold);
     harness.run_ok();
-    assert!(harness.state().turn().is_none());
+    assert!(harness.state().desk.turn().is_none());
     // A key that presses the widget with the focus does nothing else.
     harness.get_by_label_contains("reset view").focus();
     press(&mut harness, Key::Space);
@@ -229,11 +230,11 @@ fn entities_are_copied_renamed_and_deleted() {
     let mut many = start.clone();
     many.light = vec![start.light[0].clone(); 60];
     (many.light.iter_mut().enumerate()).for_each(|(place, it)| it.name = format!("own {place}"));
-    harness.state_mut().restore(&many);
+    harness.state_mut().document.restore(&many);
     harness.run_ok();
     click(&mut harness, "new light");
     click_inside(&mut harness, "light 61");
-    harness.state_mut().restore(&start);
+    harness.state_mut().document.restore(&start);
     harness.run_ok();
     // The last cuboid cannot be deleted.
     click(&mut harness, "emerald");
@@ -241,10 +242,10 @@ fn entities_are_copied_renamed_and_deleted() {
     assert_eq!(record(&harness), start);
     // A duplicate name, or a name that a list of lights cannot hold, is refused.
     for (name, is_taken) in [("blue", true), ("red", false), ("", false), ("a,b", false)] {
-        let before = names::<Light>(&harness.state().scene.world);
+        let before = names::<Light>(&harness.state().document.scene.world);
         click_inside(&mut harness, &before[0]);
         let fields = harness.query_all_by_role(Role::TextInput);
-        let inspector = harness.state().place.max.x;
+        let inspector = harness.state().canvas.place.max.x;
         let mut fields = fields.map(|field| field.rect().center());
         let field = fields.find(|at| at.x > inspector);
         drop(fields);
@@ -256,7 +257,7 @@ fn entities_are_copied_renamed_and_deleted() {
             _ => harness.event(egui::Event::Text(name.to_owned())),
         }
         press(&mut harness, Key::Enter);
-        let after = names::<Light>(&harness.state().scene.world);
+        let after = names::<Light>(&harness.state().document.scene.world);
         assert_eq!(after[0] == name, is_taken, "{name:?}: {after:?}");
         assert_eq!(after[1..], before[1..]);
     }
@@ -322,7 +323,7 @@ pub fn numbers_are_typed_within_their_range() {
 fn probed() -> (Window, Harness<'static, App>) {
     let open = || {
         let mut window = Window::of(default_scene(), SIZE);
-        window.click(window.app.place.center());
+        window.click(window.app.canvas.place.center());
         window.step(Vec::new());
         window
     };
@@ -372,7 +373,7 @@ fn nothing_of_a_closed_dialog_stays_on_screen() {
     for size in [[320, 240], [480, 360], [960, 720]] {
         let mut app = app(default_scene(), size, Level::new());
         // With the chart the panel is wider than a small window leaves it.
-        app.shows_times = true;
+        app.desk.shows_times = true;
         let mut window = Window::with(app, size);
         window.wait(PAUSE);
         let before = window.app.pixels.clone();

@@ -1,0 +1,170 @@
+//! The canvas: the place of the picture in the window, and the pictures that are drawn for it.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{Pos2, Rect, vec2};
+use hecs::World;
+
+use super::facts::Facts;
+use super::pictures::{Pictures, divider_column, or_dimmed};
+use crate::components::{Side, View, ViewMode, Viewer};
+use crate::frame::Workers;
+use crate::memory::{self, OutOfMemory};
+use crate::scene::SceneRecord;
+
+/// The time without a change after which the picture is compared, measured and proven.
+pub const REST: Duration = Duration::from_millis(100);
+
+/// The picture on screen.
+pub struct Canvas {
+    pub pictures: Pictures,
+    /// The place of the picture, in points.
+    pub place: Rect,
+    /// Pixels of the window in a point.
+    pub scale: f32,
+    /// The state and the view that were drawn last.
+    pub drawn: Option<(Arc<SceneRecord>, View)>,
+    /// When the picture last changed, until it rests.
+    moved: Option<Duration>,
+}
+
+impl Canvas {
+    pub fn new(workers: Workers) -> Self {
+        Canvas {
+            pictures: Pictures::new(workers),
+            place: Rect::ZERO,
+            scale: 1.0,
+            drawn: None,
+            moved: None,
+        }
+    }
+
+    /// Width and height of the picture in pixels.
+    pub fn size(&self) -> [usize; 2] {
+        let size = self.place.size() * self.scale;
+        [size.x, size.y].map(|side| (side.round() as usize).max(1))
+    }
+
+    /// The pixel of the picture at a place in the window, or the nearest one.
+    pub fn pixel_at(&self, at: Pos2) -> [usize; 2] {
+        let place = (at - self.place.min) * self.scale;
+        let [width, height] = self.size();
+        let pixel = |at: f32, side: usize| (at.max(0.0) as usize).min(side - 1);
+        [pixel(place.x, width), pixel(place.y, height)]
+    }
+
+    /// The place in the window of the middle of a pixel.
+    pub fn place_of(&self, [x, y]: [usize; 2]) -> Pos2 {
+        self.place_at([x as f64 + 0.5, y as f64 + 0.5])
+    }
+
+    /// The place in the window of a point of the picture, in pixels from its upper left corner.
+    pub fn place_at(&self, [x, y]: [f64; 2]) -> Pos2 {
+        self.place.min + vec2(x as f32, y as f32) / self.scale
+    }
+
+    /// The pixel that is explained, if it lies in the picture.
+    pub fn pixel(&self, viewer: &Viewer) -> Option<[usize; 2]> {
+        viewer.pixel_in(self.size())
+    }
+
+    /// The first column right of the divider.
+    pub fn divider_column(&self, viewer: &Viewer) -> usize {
+        divider_column(viewer.divider, self.size()[0])
+    }
+
+    /// The milliseconds of the last frame, where a frame of another state is to be drawn now.
+    pub fn last_frame(&self, state: &Arc<SceneRecord>) -> Option<f64> {
+        let (drawn, _) = self.drawn.as_ref()?;
+        self.pictures.time.filter(|_| !Arc::ptr_eq(drawn, state))
+    }
+
+    /// Whether nothing has changed for [`REST`].
+    pub fn rests(&self) -> bool {
+        self.moved.is_none()
+    }
+
+    /// Draws the pictures of `world`, whose state this is, if the state or the view is another one.
+    ///
+    /// # Errors
+    /// If they do not fit in memory.
+    pub fn draw(
+        &mut self,
+        now: Duration,
+        world: &mut World,
+        state: &Arc<SceneRecord>,
+        view: View,
+    ) -> Result<(), OutOfMemory> {
+        let present = (Arc::clone(state), view);
+        if self.drawn.as_ref() == Some(&present) {
+            self.moved.take_if(|moved| now >= *moved + REST);
+        } else {
+            self.pictures.draw(world, &state.view, &view)?;
+            self.moved = Some(now);
+            self.drawn = Some(present);
+        }
+        Ok(())
+    }
+
+    /// The picture of a side of a wipe, left (0) or right (1), 0x00RRGGBB.
+    fn side<'a>(&'a self, viewer: &Viewer, facts: &'a Facts, index: usize) -> Cow<'a, [u32]> {
+        let exact = facts.comparison.current().map(|it| &*it.exact);
+        match viewer.sides[index] {
+            Side::Reference => or_dimmed(exact, self.pictures.frame.pixels()),
+            _ => Cow::from(&self.pictures.sides[index]),
+        }
+    }
+
+    /// The picture as it is shown, 0x00RRGGBB. `turn` is the place of the picture that has its turn while two blink.
+    pub fn shown<'a>(
+        &'a self,
+        viewer: &Viewer,
+        facts: &'a Facts,
+        turn: Option<usize>,
+    ) -> Cow<'a, [u32]> {
+        let comparison = facts.comparison.current();
+        let exact = comparison.map(|it| it.exact.as_slice());
+        let frame = self.pictures.frame.pixels();
+        match (viewer.show, turn) {
+            (ViewMode::Wipe, Some(turn)) => self.side(viewer, facts, turn),
+            (_, Some(0)) => or_dimmed(exact, frame),
+            (ViewMode::Picture, _) | (_, Some(_)) => frame.into(),
+            (ViewMode::Error, None) => or_dimmed(comparison.map(|it| &*it.error_map), frame),
+            (ViewMode::Tiles, None) => self.pictures.tiles().into(),
+            (ViewMode::Wipe, None) => {
+                let width = self.pictures.frame.size()[0];
+                let divider = divider_column(viewer.divider, width);
+                let mut pixels = self.side(viewer, facts, 0).into_owned();
+                let right = self.side(viewer, facts, 1);
+                let lines = pixels.chunks_exact_mut(width);
+                for (left, right) in lines.zip(right.chunks_exact(width)) {
+                    left[divider..].copy_from_slice(&right[divider..]);
+                }
+                pixels.into()
+            }
+        }
+    }
+
+    /// Copies a picture into its place in a window of `size` pixels, and fills the rest with `ground`.
+    pub fn copy(
+        &self,
+        shown: &[u32],
+        pixels: &mut Vec<u32>,
+        [width, height]: [usize; 2],
+        ground: u32,
+    ) {
+        memory::clear(pixels, width * height);
+        pixels.resize(width * height, ground);
+        let columns = self.pictures.frame.size()[0];
+        let corner = self.place.min * self.scale;
+        let [left, top] = [corner.x, corner.y].map(|it| it.round() as usize);
+        let lines = pixels.chunks_exact_mut(width).skip(top);
+        for (line, drawn) in lines.zip(shown.chunks_exact(columns)) {
+            let line = line.get_mut(left..).unwrap_or_default();
+            let count = line.len().min(columns);
+            line[..count].copy_from_slice(&drawn[..count]);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The choice: the method of the next frame. With a budget it is the most exact measured one whose frames keep that, else the
+//! viewer's own.
+
+use egui::Ui;
+use hecs::World;
+
+use super::controls::{choose_method, set_tolerance, step_tolerance};
+use super::desk::Desk;
+use super::facts::Facts;
+use super::keys::Action;
+use super::widgets::{offer, rounded, short, slider};
+use crate::components::range::Milliseconds;
+use crate::components::{View, Viewer, common_mode, viewer, viewer_mut};
+use crate::shading::Method;
+use crate::trade::budget::{after, best_trades, fitting, held, over};
+use crate::trade::verdict::method_name;
+
+/// The factor of a press of a key.
+const STEP: f64 = 1.25;
+/// The budget where no time is known, in milliseconds.
+const FIRST: f64 = 1.0;
+/// The height of the outcome, in points: room for two lines, so that the rows below do not move.
+const OUTCOME: f32 = 34.0;
+const BUDGET: [&str; 3] = [
+    "budget, ms",
+    "[ ]",
+    "The longest time that a frame may take. The most exact method that keeps it is chosen.",
+];
+
+/// The method that holds the budget: the machine's choice, and so no part of the scene.
+#[derive(Default)]
+pub struct Choice {
+    held: Option<Method>,
+}
+
+impl Choice {
+    /// With a budget, picks the next frame's method: the most exact measured one that fits. While the view moves, a frame over
+    /// the budget makes it a faster one; at rest all are measured again. Before any measurement the tolerance applies.
+    /// `last` are the milliseconds of the last frame, where another one is to be drawn now.
+    pub fn hold(&mut self, budget: Option<f64>, facts: &Facts, last: Option<f64>) {
+        let measured = facts.trade.value.as_deref().unwrap_or_default();
+        let (methods, costs) = best_trades(measured);
+        self.held = budget.filter(|_| !methods.is_empty()).map(|budget| {
+            let held = methods.iter().position(|it| Some(*it) == self.held);
+            let place = match held.filter(|_| !facts.trade.is_current) {
+                None => fitting(&costs, budget),
+                Some(place) => after(place, last.unwrap_or_default(), &costs, budget),
+            };
+            methods[place]
+        });
+    }
+
+    /// The view of the picture of `size` pixels.
+    pub fn view(&self, world: &World, size: [usize; 2]) -> View {
+        let view = View::of(world, size);
+        let held = self.held.map(|method| method.view(&view));
+        held.unwrap_or(view)
+    }
+
+    /// The method on screen; `None` where the cuboids have different modes.
+    pub fn method(&self, world: &World) -> Option<Method> {
+        let own = || Some(Method::of(common_mode(world)?, viewer(world).tolerance));
+        self.held.or_else(own)
+    }
+
+    /// Holds this time, in milliseconds, or the error again: that of the method on screen.
+    pub fn set_budget(&self, world: &mut World, budget: Option<f64>) {
+        match (budget, self.held) {
+            (None, Some(method)) => choose_method(world, method),
+            (None, None) => viewer_mut(world).budget = None,
+            (Some(budget), _) => {
+                let (least, most) = Milliseconds::RANGE.into_inner();
+                set_tolerance(world, Viewer::TOLERANCE);
+                viewer_mut(world).budget = Some(rounded(budget.clamp(least, most), 1));
+            }
+        }
+    }
+
+    /// Holds the time that the method on screen takes, with a little room, or the error again.
+    pub fn switch(&self, world: &mut World, facts: &Facts) {
+        let time = facts.measured_time(self.method(world));
+        let next = time.map_or(FIRST, |time| 1.1 * time);
+        let has_budget = viewer(world).budget.is_some();
+        self.set_budget(world, (!has_budget).then_some(next));
+    }
+
+    /// Goes to a coarser tolerance if `steps` is positive; with a budget, to a shorter time. Returns the limit that was reached.
+    pub fn step(&self, world: &mut World, steps: i32) -> Option<String> {
+        let budget = viewer(world).budget;
+        let Some(budget) = budget else {
+            return step_tolerance(world, steps);
+        };
+        self.set_budget(world, Some(budget * STEP.powi(-steps)));
+        None
+    }
+
+    /// The method that holds the budget, its time and its error. `time` is that of a frame on screen, in milliseconds.
+    fn outcome(&self, facts: &Facts, time: Option<f64>, budget: f64) -> String {
+        let Some(method) = self.held else {
+            return "The methods are not measured yet.".to_owned();
+        };
+        let measured = facts.trade.current();
+        let held = measured.and_then(|measured| held(measured, budget));
+        let unmeasured = || {
+            let time = time.unwrap_or_default();
+            let (name, over) = (method_name(method), over(time, budget));
+            let time = short(time);
+            format!("Not measured yet: {name}, last frame {time} ms{over}")
+        };
+        held.map_or_else(unmeasured, |(_, text)| text)
+    }
+}
+
+/// The switch between error and time, and the budget's slider and outcome.
+pub fn budget_rows(
+    ui: &mut Ui,
+    world: &mut World,
+    choice: &Choice,
+    facts: &Facts,
+    time: Option<f64>,
+    desk: &mut Desk,
+) {
+    let budget = viewer(world).budget;
+    ui.horizontal_wrapped(|ui| {
+        let error = ui.selectable_label(budget.is_none(), "hold the error");
+        let says = "Every picture is drawn within the tolerance, however long it takes.";
+        if error.on_hover_text(says).clicked() {
+            choice.set_budget(world, None);
+        }
+        offer(ui, desk, Action::HoldTime, budget.is_some());
+    });
+    let Some(before) = budget else {
+        return;
+    };
+    let mut budget = before;
+    slider(ui, BUDGET, &mut budget, Milliseconds::RANGE, 0.001);
+    if budget != before {
+        choice.set_budget(world, Some(budget));
+    }
+    ui.scope(|ui| {
+        ui.set_min_height(OUTCOME);
+        ui.label(choice.outcome(facts, time, before));
+    });
+}

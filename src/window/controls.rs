@@ -1,0 +1,196 @@
+//! The changes that keys, buttons and the mouse make in the World.
+//!
+//! A function returns the message for the status line, if there is one: mostly the limit that was reached.
+
+use std::time::Duration;
+
+use hecs::World;
+
+use super::keys::TOLERANCES;
+use crate::components::{
+    Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, active_camera, get, names,
+    ordered, overwrite, viewer, viewer_mut,
+};
+use crate::drawing::camera_name;
+use crate::shading::Method;
+
+/// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
+const DEGREE: Duration = Duration::from_millis(30);
+
+/// Switches the light of this place in the file, counted from 0.
+pub fn switch_light(world: &World, index: usize) -> Option<String> {
+    let lights = ordered::<Light>(world);
+    let light = lights.get(index).map(|it| world.get::<&mut Light>(*it));
+    match light {
+        Some(Ok(mut light)) => {
+            light.on ^= true;
+            None
+        }
+        _ => Some(format!("there is no light {}", index + 1)),
+    }
+}
+
+/// Switches the light of this name.
+pub fn switch_light_named(world: &World, name: &str) -> Option<String> {
+    let names = names::<Light>(world);
+    match names.iter().position(|own| own == name) {
+        Some(index) => switch_light(world, index),
+        None => Some(format!("no light is named {name}")),
+    }
+}
+
+/// Shades every cuboid in this mode, whatever time that takes.
+pub fn shade(world: &mut World, mode: ShadingMode) {
+    viewer_mut(world).budget = None;
+    overwrite(world, &mode);
+}
+
+/// Shades every cuboid by a method. Interpolated unit vectors are no shading mode of scenes: a wipe compares them.
+pub fn choose_method(world: &mut World, method: Method) {
+    let (mode, tolerance) = (method.mode, method.tolerance);
+    if mode == ShadingMode::UnitVectors {
+        return wipe(world, [Side::Method { mode, tolerance }, Side::Picture]);
+    }
+    shade(world, mode);
+    set_tolerance(world, tolerance);
+}
+
+/// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
+pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
+    let present = viewer(world).tolerance;
+    let mut tolerances = TOLERANCES.into_iter();
+    let next = if steps > 0 {
+        tolerances.find(|next| *next > present)
+    } else {
+        tolerances.rfind(|next| *next < present)
+    };
+    let limit = if steps > 0 {
+        "the keys end here; the slider goes on"
+    } else {
+        "the tolerance is 0 already"
+    };
+    let Some(next) = next else {
+        return Some(limit.to_owned());
+    };
+    set_tolerance(world, next);
+    None
+}
+
+/// Draws within this many levels. The sides of a wipe that had the tolerance before follow.
+pub fn set_tolerance(world: &mut World, levels: f64) {
+    let mut viewer = viewer_mut(world);
+    let before = viewer.tolerance;
+    for side in viewer.sides.iter_mut() {
+        if let Side::Method { mode, tolerance } = side
+            && *tolerance == before
+            && *mode != ShadingMode::UnitVectors
+        {
+            *tolerance = levels;
+        }
+    }
+    (viewer.tolerance, viewer.budget) = (levels, None);
+}
+
+/// Shows the picture in another way; a wipe is one between Gouraud and Phong.
+pub fn show(world: &mut World, mode: ViewMode) {
+    let mut viewer = viewer_mut(world);
+    viewer.show = mode;
+    if mode == ViewMode::Wipe {
+        viewer.sides = Side::gouraud_phong(viewer.tolerance);
+    }
+}
+
+/// Shows a wipe between these sides.
+pub fn wipe(world: &mut World, sides: [Side; 2]) {
+    let mut viewer = viewer_mut(world);
+    (viewer.show, viewer.sides) = (ViewMode::Wipe, sides);
+}
+
+pub fn next_projection(world: &mut World) {
+    let mut viewer = viewer_mut(world);
+    viewer.projection = match viewer.projection {
+        Projection::Perspective => Projection::Orthographic,
+        Projection::Orthographic => Projection::Perspective,
+    };
+}
+
+pub fn next_camera(world: &mut World) -> Option<String> {
+    let cameras = names::<Camera>(world);
+    if cameras.len() == 1 {
+        return Some("there is one camera".to_owned());
+    }
+    let active = camera_name(world);
+    let place = cameras.iter().position(|camera| *camera == active);
+    let next = (place.unwrap_or_default() + 1) % cameras.len();
+    viewer_mut(world).camera = Some(cameras[next].clone());
+    None
+}
+
+/// Moves the camera about its target, by degrees to the right and up.
+pub fn orbit(world: &mut World, azimuth: f64, elevation: f64) -> Option<String> {
+    let own = Camera::own(world, active_camera(world));
+    let limit = "the camera stops short of the pole";
+    change_orbit(world, limit, |orbit| orbit.moved(&own, azimuth, elevation))
+}
+
+/// Moves the camera by steps towards its target; away from it if negative.
+pub fn zoom(world: &mut World, steps: i32) -> Option<String> {
+    let limits = Orbit::limits(world);
+    let way = if steps > 0 { "closer" } else { "further" };
+    let limit = format!("the camera goes no {way}");
+    change_orbit(world, &limit, |orbit| orbit.zoomed(steps, &limits))
+}
+
+/// Undoes orbit, zoom and rotation.
+pub fn reset_view(world: &mut World) -> Option<String> {
+    viewer_mut(world).turned = 0;
+    change_orbit(world, "the view is reset", |_| Orbit::default())
+}
+
+/// Changes the orbit of the active camera. If nothing changes, `limit` was reached.
+fn change_orbit(
+    world: &mut World,
+    limit: &str,
+    change: impl FnOnce(Orbit) -> Orbit,
+) -> Option<String> {
+    let camera = active_camera(world);
+    let orbit: Orbit = get(world, camera).unwrap_or_default();
+    let changed = change(orbit);
+    if changed == orbit {
+        return Some(limit.to_owned());
+    }
+    // The camera is in the World.
+    let _ = world.insert_one(camera, changed);
+    None
+}
+
+/// The rotation of the cuboids.
+#[derive(Default)]
+pub struct Rotation {
+    next_degree: Duration,
+}
+
+impl Rotation {
+    /// Starts and stops it.
+    pub fn switch(&mut self, world: &mut World, now: Duration) {
+        self.next_degree = now + DEGREE;
+        viewer_mut(world).turns ^= true;
+    }
+
+    /// Turns the cuboids by the degrees that are due.
+    pub fn go_on(&mut self, world: &mut World, now: Duration) {
+        let mut viewer = viewer_mut(world);
+        if viewer.turns && now >= self.next_degree {
+            let late = now - self.next_degree;
+            let degrees = 1 + (late.as_millis() / DEGREE.as_millis()) as u32;
+            self.next_degree += DEGREE * degrees;
+            viewer.turned = (viewer.turned + degrees) % 360;
+        }
+    }
+
+    /// The time until the next degree is due; `None` while nothing turns.
+    pub fn wait(&self, world: &World, now: Duration) -> Option<Duration> {
+        let turns = viewer(world).turns;
+        turns.then(|| self.next_degree.saturating_sub(now))
+    }
+}

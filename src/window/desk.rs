@@ -1,0 +1,98 @@
+//! The desk: what is open, folded, selected and said. Nothing of it changes the picture that is judged.
+
+use std::time::Duration;
+
+use super::inspector::Tab;
+use super::keys::Action;
+use crate::scene::Scene;
+
+/// How long each of two pictures is shown while they take turns.
+pub const TURN: Duration = Duration::from_millis(500);
+
+/// An entity of the scene: the key of its kind in scene files, and its place among those, counted from 0.
+pub type EntityPlace = (&'static str, usize);
+
+/// The state of the window that is not the scene's.
+#[derive(Default)]
+pub struct Desk {
+    /// The time of the present step.
+    pub now: Duration,
+    /// Whether times are shown; they are the machine's, and differ from run to run.
+    pub shows_times: bool,
+    pub quits: bool,
+    pub help: bool,
+    pub panel_folded: bool,
+    /// Whether the inspector has a room of its own beside the picture.
+    pub has_room: bool,
+    /// The open tab of the inspector; `None` is folded.
+    pub tab: Option<Tab>,
+    /// Two pictures take turns since this time, while a key is held.
+    pub blinks: Option<Duration>,
+    /// Of the status line, and when it goes.
+    pub message: Option<(String, Duration)>,
+    /// The error in the scene's file.
+    pub file_error: Option<String>,
+    /// The entity that the scene's tab shows.
+    pub selected: Option<EntityPlace>,
+    /// Whether a click waits until it is known which cuboid it shows. That one is selected then.
+    pub has_clicked: bool,
+    /// Whether a field or a popup of the last layout takes Escape.
+    pub takes_escape: bool,
+    /// The wishes of the present layout.
+    pub commands: Vec<Command>,
+}
+
+/// A wish of a widget, which [`super::app::App`] carries out after the layout.
+pub enum Command {
+    Run(Action),
+    /// Explains the worst pixel of a side of a wipe, left (0) or right (1).
+    Worst(usize),
+    Open(Box<Scene>),
+    RestoreEdits,
+    DiscardEdits,
+}
+
+impl Desk {
+    /// Shows a message for as long as it takes to read.
+    pub fn say(&mut self, text: impl Into<String>) {
+        let text = text.into();
+        let until = self.now + reading_time(&text);
+        self.message = Some((text, until));
+    }
+
+    /// Shows a message if there is one.
+    pub fn say_any(&mut self, text: Option<impl Into<String>>) {
+        if let Some(text) = text {
+            self.say(text);
+        }
+    }
+
+    pub fn wish(&mut self, action: Action) {
+        self.commands.push(Command::Run(action));
+    }
+
+    /// Two pictures take turns for as long as this is called with `true`.
+    pub fn blink_while(&mut self, is_held: bool) {
+        let since = self.blinks.unwrap_or(self.now);
+        self.blinks = is_held.then_some(since);
+    }
+
+    /// The place of the picture that has its turn while two of them blink: the sides of a wipe, else exact Phong and the
+    /// picture.
+    pub fn turn(&self) -> Option<usize> {
+        let passed = self.now.saturating_sub(self.blinks?);
+        Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
+    }
+
+    /// Closes the uppermost thing that can be closed. Returns whether there was one.
+    pub fn close(&mut self) -> bool {
+        std::mem::take(&mut self.help) || self.file_error.take().is_some()
+    }
+}
+
+/// The time for which a message stands.
+pub fn reading_time(text: &str) -> Duration {
+    const LEAST: Duration = Duration::from_secs(3);
+    const LETTER: Duration = Duration::from_millis(60);
+    LEAST.max(LETTER * text.len() as u32)
+}

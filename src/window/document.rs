@@ -1,0 +1,265 @@
+//! The document: the scene that is open, its file, its edits and its history.
+//!
+//! ```text
+//! keys, panels --write--> World --note--> state --keep--> history
+//!                                           |
+//!                  file --open, reload--> scene --save--> file
+//! ```
+//! The World is the only state of the scene and of how it is looked at. A change is a difference between two
+//! [`SceneRecord`]s, whatever made it. A function returns the message for the status line.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::util::undoer::Undoer;
+
+use super::file::SceneFile;
+use super::history::{State, history};
+use super::unsaved::Unsaved;
+use crate::components::viewer_mut;
+use crate::output::{self, quoted};
+use crate::scene::key;
+use crate::scene::{CameraRecord, Scene, SceneRecord};
+
+/// The scene that is open.
+pub struct Document {
+    pub scene: Scene,
+    /// The World as it was last written down.
+    pub state: Arc<SceneRecord>,
+    pub history: Undoer<State>,
+    pub file: SceneFile,
+    /// `None` where edits are not kept.
+    pub(super) unsaved: Option<Unsaved>,
+    /// Files without a path of their own are written here.
+    pub folder: PathBuf,
+    /// The step of the lesson, counted from 0.
+    pub step: usize,
+}
+
+impl Document {
+    /// Opens a scene. Its edits are not kept in files.
+    pub fn of(scene: Scene) -> Self {
+        let state = Arc::new(SceneRecord::of(&scene.world));
+        Document {
+            history: history(&state),
+            file: SceneFile::of(&scene),
+            unsaved: None,
+            folder: PathBuf::from("."),
+            step: 0,
+            state,
+            scene,
+        }
+    }
+
+    /// Shows another scene in place of this one.
+    pub fn open(&mut self, scene: Scene) {
+        let (unsaved, folder) = (self.unsaved.take(), self.folder.clone());
+        *self = Document {
+            unsaved,
+            folder,
+            ..Document::of(scene)
+        };
+        self.follow_scene();
+    }
+
+    /// Shows the scene that the user chose; edits of the one before stay in their file.
+    ///
+    /// # Errors
+    /// If these cannot be written. The scene before stays.
+    pub fn choose(&mut self, scene: Scene) -> anyhow::Result<Option<String>> {
+        let path = self.write_edits()?;
+        self.open(scene);
+        Ok(path.as_deref().map(told))
+    }
+
+    /// Whether the scene was edited since it was saved.
+    pub fn is_edited(&self) -> bool {
+        has_edits(&self.state, &self.file.saved)
+    }
+
+    /// The title of the window.
+    pub fn title(&self) -> String {
+        let star = if self.is_edited() { "*" } else { "" };
+        format!("{}{star} - shadetrade", self.scene.name)
+    }
+
+    /// Writes unsaved edits before the window closes, and tells their file.
+    ///
+    /// # Errors
+    /// If they cannot be written.
+    pub fn close(&mut self) -> anyhow::Result<()> {
+        if let Some(path) = self.write_edits()? {
+            output::say(&told(&path));
+        }
+        Ok(())
+    }
+
+    /// Puts the World into another state. Cuboids that turn keep turning.
+    pub fn restore(&mut self, record: &SceneRecord) {
+        let turns = viewer_mut(&mut self.scene.world).turns;
+        self.scene.world = record.spawn();
+        viewer_mut(&mut self.scene.world).turns = turns;
+    }
+
+    /// Notes the state that keys and widgets made. One that no scene may have is taken back, and the reason returned.
+    pub fn note(&mut self) -> Option<String> {
+        let record = SceneRecord::of(&self.scene.world);
+        if record == *self.state {
+            return None;
+        }
+        let error = record.check().err();
+        match error {
+            None => self.state = Arc::new(record),
+            Some(_) => self.restore(&Arc::clone(&self.state)),
+        }
+        error.map(|error| error.to_string())
+    }
+
+    /// Tells the history the present state. A step of undo ends with it if a gesture begins or ends.
+    pub fn keep(&mut self, now: Duration, ends_step: bool) {
+        let state = State(Arc::clone(&self.state));
+        self.history.feed_state(now.as_secs_f64(), &state);
+        if ends_step {
+            self.history.add_undo(&state);
+        }
+    }
+
+    pub fn undo(&mut self) -> String {
+        self.travel("undo", Undoer::undo)
+    }
+
+    pub fn redo(&mut self) -> String {
+        self.travel("redo", Undoer::redo)
+    }
+
+    /// Goes to the state that `find` finds in the history, and names the change.
+    fn travel(
+        &mut self,
+        verb: &str,
+        find: for<'a> fn(&'a mut Undoer<State>, &State) -> Option<&'a State>,
+    ) -> String {
+        let present = State(Arc::clone(&self.state));
+        let Some(found) = find(&mut self.history, &present) else {
+            return format!("nothing to {verb}");
+        };
+        let mut record = SceneRecord::clone(&found.0);
+        record.view = found.view_as(&present.0.view);
+        self.restore(&record);
+        format!("{verb}: {}", change(&present.0, &record))
+    }
+
+    /// Shows the scene as a later step of its lesson has it. Edits of the step before are offered.
+    pub fn step_lesson(&mut self, steps: isize) -> Option<String> {
+        let lesson = Arc::clone(&self.scene.lesson);
+        let place = self.step.checked_add_signed(steps);
+        let Some((place, step)) = place.and_then(|place| Some((place, lesson.get(place)?))) else {
+            return Some("the lesson has no such step".to_owned());
+        };
+        if let Err(error) = self.offer_edits() {
+            return Some(format!("the lesson waits: {error:#}"));
+        }
+        self.restore(&step.record);
+        // A step is no edit.
+        self.file.saved = Arc::clone(&step.record);
+        self.step = place;
+        None
+    }
+
+    /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
+    pub fn reload(&mut self, scene: Scene) -> String {
+        let mut record = SceneRecord::clone(&scene.record);
+        let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
+        let offered = self.offer_edits();
+        let find = |cameras: &[CameraRecord], name: &str| {
+            let own = cameras.iter().find(|it| it.name == name);
+            own.map(|it| it.orbit)
+        };
+        if record.view == saved.view {
+            let mut view = self.state.view.clone();
+            let is_there = |name: &String| find(&record.camera, name).is_some();
+            view.camera = view.camera.filter(is_there).or(record.view.camera);
+            record.view = view;
+        }
+        for camera in &mut record.camera {
+            if find(&saved.camera, &camera.name) == Some(camera.orbit) {
+                let moved = find(&self.state.camera, &camera.name);
+                camera.orbit = moved.unwrap_or(camera.orbit);
+            }
+        }
+        let new_name = std::mem::take(&mut self.file.new_name);
+        self.file = SceneFile::of(&scene);
+        self.file.new_name = new_name;
+        self.scene.text = scene.text;
+        self.restore(&record);
+        match offered {
+            Err(error) => format!("read the file again; {error:#}"),
+            Ok(()) if had_edits => "read the file again; Ctrl Z brings your edits back".to_owned(),
+            Ok(()) => "read the file again".to_owned(),
+        }
+    }
+
+    /// Saves the scene, to a new file if `new`, and names it.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn save(&mut self, new: bool) -> anyhow::Result<String> {
+        self.file.save(&mut self.scene, &self.folder, new)?;
+        let forgotten = self.forget_edits();
+        self.follow_scene();
+        Ok(match forgotten {
+            Ok(()) => format!("saved {}", quoted(&self.scene.name)),
+            Err(error) => format!("saved {}; {error:#}", quoted(&self.scene.name)),
+        })
+    }
+}
+
+fn told(path: &Path) -> String {
+    let path = path.display();
+    format!(
+        "the changes that were not saved are in {path} and offered when the scene is opened again"
+    )
+}
+
+/// The key of the values that differ, in words.
+fn change(before: &SceneRecord, after: &SceneRecord) -> String {
+    let keys = key::differences(before, after);
+    // The sides of a wipe follow the tolerance and the view, which name the change.
+    let (sides, others): (Vec<_>, Vec<_>) = keys.into_iter().partition(|it| it.is_of("view.sides"));
+    let keys = if others.is_empty() { sides } else { others };
+    let common = keys.into_iter().reduce(|one, other| one.common(&other));
+    let common = common.filter(|it| !it.is_of("*"));
+    common.map_or_else(|| "several changes".to_owned(), |key| key.to_string())
+}
+
+/// Whether a state has edits that another one lacks. Switching lights and modes and moving the camera is looking.
+pub fn has_edits(state: &SceneRecord, saved: &SceneRecord) -> bool {
+    state.background != saved.background
+        || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
+        || differ(&state.cuboid, &saved.cuboid, |it, saved| {
+            it.shading = saved.shading;
+        })
+        || differ(&state.camera, &saved.camera, |it, saved| {
+            it.orbit = saved.orbit;
+        })
+}
+
+/// Whether two states have other lights, or other cuboids whatever their mode.
+pub fn is_another_scene(before: &SceneRecord, after: &SceneRecord) -> bool {
+    before.light != after.light
+        || differ(&before.cuboid, &after.cuboid, |it, other| {
+            it.shading = other.shading;
+        })
+}
+
+/// Whether two lists of entities differ after `forget` has overwritten fields of the first.
+fn differ<T: Clone + PartialEq>(one: &[T], other: &[T], forget: impl Fn(&mut T, &T)) -> bool {
+    let differ = |(one, other): (&T, &T)| {
+        one != other && {
+            let mut one = one.clone();
+            forget(&mut one, other);
+            one != *other
+        }
+    };
+    one.len() != other.len() || one.iter().zip(other).any(differ)
+}

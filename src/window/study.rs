@@ -1,0 +1,301 @@
+//! The study: the questions about the picture that the window asks, and the facts that it shows.
+//!
+//! One question is answered at a time. A question of more worth cancels another. A change of the picture outdates the facts
+//! that it touches, and stops the work on them.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use rayon::ThreadPool;
+
+use super::comparison::Comparison;
+use super::desk::Desk;
+use super::document::is_another_scene;
+use super::facts::{Facts, Latest, Question, Work};
+use super::inspector::Tab;
+use super::pictures::{side_method, sides, view_at};
+use crate::components::{Side, View, ViewMode};
+use crate::drawing::Drawing;
+use crate::frame::Workers;
+use crate::probe;
+use crate::prove::prove;
+use crate::report::Monitor;
+use crate::requires::{part_changes, ranked};
+use crate::scene::{Scene, SceneRecord};
+use crate::shading::{METHODS, Method};
+use crate::trade::batch::time_here;
+use crate::trade::{Request, is_timed, measure};
+
+/// Progress is shown at most this often: each layout would slow the frames that are being timed.
+const PROGRESS: Duration = Duration::from_millis(200);
+/// How long the frames of all methods are timed together.
+const TIMING: Duration = Duration::from_secs(1);
+
+/// The change between two pictures, from the least to the greatest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    Nothing,
+    /// Another pixel is explained.
+    Pixel,
+    /// Another picture is shown beside, or in place of, the same frame.
+    Shown,
+    /// The same view is drawn by another method.
+    Method,
+    Scene,
+}
+
+/// The change from one state and view to others.
+pub fn change(
+    (before, view_before): (&Arc<SceneRecord>, &View),
+    (after, view): (&Arc<SceneRecord>, &View),
+) -> Change {
+    if Arc::ptr_eq(before, after) && view == view_before {
+        return Change::Nothing;
+    }
+    let by_any_method = |view: &View| view.unshaded().with_tolerance(0.0);
+    if by_any_method(view) != by_any_method(view_before) || is_another_scene(before, after) {
+        return Change::Scene;
+    }
+    if view != view_before || before.cuboid != after.cuboid {
+        return Change::Method;
+    }
+    let shown = |it: &SceneRecord| (it.view.show, it.view.sides, it.view.divider);
+    let has_moved = before.view.pixel != after.view.pixel;
+    if shown(before) != shown(after) || has_moved && after.view.show == ViewMode::Wipe {
+        Change::Shown
+    } else if has_moved {
+        Change::Pixel
+    } else {
+        Change::Nothing
+    }
+}
+
+/// The picture that questions are about.
+pub struct Subject<'a> {
+    pub name: &'a str,
+    pub record: &'a Arc<SceneRecord>,
+    pub view: View,
+    /// The method on screen; `None` where the cuboids have different modes.
+    pub method: Option<Method>,
+    pub workers: &'a Workers,
+    /// Whether nothing moves.
+    pub rests: bool,
+}
+
+/// The facts, and the work on the next one.
+pub struct Study {
+    pub facts: Facts,
+    /// Without threads questions are answered at once.
+    pool: Option<ThreadPool>,
+    work: Option<Work>,
+    next_progress: Duration,
+    /// The reason why a question has no answer, until it is taken.
+    failure: Option<String>,
+}
+
+impl Study {
+    pub fn new(pool: Option<ThreadPool>) -> Self {
+        Study {
+            facts: Facts::default(),
+            pool,
+            work: None,
+            next_progress: Duration::ZERO,
+            failure: None,
+        }
+    }
+
+    /// Forgets everything, for another scene.
+    pub fn clear(&mut self) {
+        self.facts = Facts::default();
+        self.work = None;
+    }
+
+    /// Whether questions are answered in the background.
+    pub fn is_live(&self) -> bool {
+        self.pool.is_some()
+    }
+
+    /// Stops frames that are being timed: they would delay the picture after a press.
+    pub fn stop_timing(&mut self) {
+        self.work.take_if(|work| work.question == Question::Measure);
+    }
+
+    /// Outdates the facts that a change touches, and stops the work on them. `pixel` is the explained one.
+    pub fn outdate(&mut self, change: Change, pixel: Option<[usize; 2]>) {
+        match change {
+            Change::Nothing => {}
+            // The values of a row are known together.
+            Change::Pixel if self.facts.probed(pixel).is_some() => {}
+            Change::Pixel | Change::Shown => {
+                self.work.take_if(|work| work.question == Question::Probe);
+                self.facts.section.is_current = false;
+            }
+            Change::Method | Change::Scene => {
+                self.work = None;
+                self.facts.outdate(change == Change::Method);
+            }
+        }
+    }
+
+    /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there are
+    /// no threads in the background.
+    pub fn ask(&mut self, subject: &Subject, desk: &Desk) {
+        let viewer = &subject.record.view;
+        let level = subject.workers.level();
+        let is_live = self.is_live();
+        let shows_exact = desk.blinks.is_some()
+            || viewer.show == ViewMode::Error
+            || sides(viewer).contains(&Side::Reference);
+        if let Some(pixel) = viewer.pixel_in(subject.view.size) {
+            let viewer = viewer.clone();
+            self.find(
+                subject,
+                Question::Probe,
+                |facts| &mut facts.section,
+                move |scene, view, _| {
+                    // The side of the wipe that the pixel is on.
+                    let view = view_at(&viewer, view, pixel[0]);
+                    Ok(probe::section(scene, &view, pixel, level)?)
+                },
+            );
+        }
+        if is_live || shows_exact {
+            self.find(
+                subject,
+                Question::Compare,
+                |facts| &mut facts.comparison,
+                move |scene, view, monitor| Comparison::of(&mut scene.world, view, level, monitor),
+            );
+        }
+        if is_live && desk.shows_times {
+            self.measure(subject);
+        }
+        if is_live || desk.tab == Some(Tab::Proof) {
+            self.find(
+                subject,
+                Question::Prove,
+                |facts| &mut facts.proof,
+                move |scene, view, monitor| prove(&mut scene.world, view, None, level, monitor),
+            );
+        }
+        if desk.tab == Some(Tab::Required) {
+            self.find(
+                subject,
+                Question::Require,
+                |facts| &mut facts.required,
+                |scene, view, monitor| part_changes(scene, view, monitor).map(ranked),
+            );
+        }
+    }
+
+    /// Measures all methods. Those that are known in this view are not compared again.
+    fn measure(&mut self, subject: &Subject) {
+        let methods = wanted_methods(subject);
+        let is_known = |it: &Method| self.facts.measured(*it).is_some();
+        let trade = &self.facts.trade;
+        let known = trade.current().map_or(&[][..], Vec::as_slice);
+        if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
+            return;
+        }
+        let known = known.to_vec();
+        let (threads, level) = (subject.workers.threads(), subject.workers.level());
+        self.find(
+            subject,
+            Question::Measure,
+            |facts| &mut facts.trade,
+            move |scene, view, monitor| {
+                let request = Request {
+                    drawing: Drawing {
+                        scene: scene.snapshot(),
+                        size: view.size,
+                        threads,
+                        level,
+                    },
+                    methods,
+                    time: TIMING,
+                    is_report: false,
+                };
+                let mut measured = measure(&request, &known, time_here, monitor)?;
+                // The window shows none of them, and copies the rest in each layout.
+                for one in &mut measured {
+                    one.timing.raw = Vec::new();
+                }
+                Ok(measured)
+            },
+        );
+    }
+
+    /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
+    /// answered. A pixel is probed even while things move, because that takes little time.
+    fn find<T: Send + 'static>(
+        &mut self,
+        subject: &Subject,
+        question: Question,
+        place: fn(&mut Facts) -> &mut Latest<T>,
+        find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
+    ) {
+        let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
+        let work = self.work.as_ref();
+        let is_next = work.is_none_or(|work| question < work.question);
+        let rests = question == Question::Probe || self.pool.is_none() || subject.rests;
+        if !is_open || !is_next || !rests {
+            return;
+        }
+        let (name, record) = (subject.name.to_owned(), Arc::clone(subject.record));
+        let view = subject.view;
+        let find = move |monitor: Monitor| find(&mut Scene::spawn(name, &record), &view, monitor);
+        // The work before is cancelled first.
+        self.work = None;
+        let work = Work::begin(self.pool.as_ref(), question, place, find);
+        self.work = Some(work);
+        if self.pool.is_none() {
+            self.take_answer();
+        }
+    }
+
+    /// Takes the answer that was found. Returns whether there was one.
+    fn take_answer(&mut self) -> bool {
+        let work = self.work.as_ref();
+        let Some(Ok(answer)) = work.map(|work| work.answer.try_recv()) else {
+            return false;
+        };
+        self.work = None;
+        self.failure = answer(&mut self.facts).or(self.failure.take());
+        true
+    }
+
+    /// Takes the answers that were found. Returns whether the window has to be drawn again, also for progress.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let shows_progress = self.work.is_some() && now >= self.next_progress;
+        let is_new = self.take_answer() || shows_progress;
+        if is_new {
+            self.next_progress = now + PROGRESS;
+        }
+        is_new
+    }
+
+    /// The reason why the last question has no answer; once.
+    pub fn take_failure(&mut self) -> Option<String> {
+        self.failure.take()
+    }
+
+    /// The progress of the work in the background, in words and as a share, 0..=1.
+    pub fn progress(&self) -> Option<(String, f64)> {
+        self.work.as_ref().and_then(Work::progress)
+    }
+}
+
+/// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
+fn wanted_methods(subject: &Subject) -> Vec<Method> {
+    let sides = sides(&subject.record.view).into_iter();
+    let sides = sides.filter_map(|side| side_method(&side, subject.method));
+    // The frames of the other one take so long that they would delay a key.
+    let timed = METHODS.iter().copied().filter(|it| is_timed(*it));
+    let mut methods: Vec<Method> = timed.collect();
+    for method in subject.method.into_iter().chain(sides) {
+        if !methods.contains(&method) {
+            methods.push(method);
+        }
+    }
+    methods
+}

@@ -1,0 +1,183 @@
+//! Each room of the window by itself: document, canvas, study, choice, and two panels of what they show.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{Pos2, Rect};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use fearless_simd::Level;
+use hecs::World;
+use shadetrade::components::ShadingMode::{Gouraud, Phong};
+use shadetrade::components::{Light, ShadingMode, View, ViewMode, common_mode, viewer_mut};
+use shadetrade::frame::Workers;
+use shadetrade::scene::SceneRecord;
+use shadetrade::shading::Method;
+use shadetrade::trade::verdict::method_name;
+use shadetrade::window::canvas::Canvas;
+use shadetrade::window::chart::chart;
+use shadetrade::window::choice::Choice;
+use shadetrade::window::controls::shade;
+use shadetrade::window::desk::Desk;
+use shadetrade::window::document::Document;
+use shadetrade::window::facts::Facts;
+use shadetrade::window::panel::light_rows;
+use shadetrade::window::study::{Change, Study, Subject, change};
+
+use super::trade::measured;
+use crate::support::window::default_scene;
+
+const VIEW: [usize; 2] = [64, 48];
+
+/// The default scene after a change, as it is written down.
+fn record_after(edit: impl FnOnce(&mut SceneRecord)) -> Arc<SceneRecord> {
+    let mut record = SceneRecord::of(&default_scene().world);
+    edit(&mut record);
+    Arc::new(record)
+}
+
+#[test]
+fn a_document_notes_edits_names_what_is_undone_and_takes_back_what_no_scene_may_have() {
+    let mut document = Document::of(default_scene());
+    let start = Arc::clone(&document.state);
+    document.keep(Duration::ZERO, true);
+    for light in document.scene.world.query_mut::<&mut Light>() {
+        light.gain += 1.0;
+    }
+    assert_eq!(document.note(), None);
+    document.keep(Duration::from_secs(1), true);
+    assert!(document.is_edited() && document.title().contains('*'));
+    assert_eq!(document.undo(), "undo: light.*.gain");
+    assert_eq!(document.note(), None);
+    assert_eq!(document.state, start);
+    assert_eq!(document.redo(), "redo: light.*.gain");
+    document.note();
+    let edited = Arc::clone(&document.state);
+    viewer_mut(&mut document.scene.world).tolerance = -1.0;
+    assert!(
+        document
+            .note()
+            .is_some_and(|reason| reason.contains("tolerance"))
+    );
+    assert_eq!(SceneRecord::of(&document.scene.world), *edited);
+}
+
+#[test]
+fn a_canvas_finds_its_pixels_at_their_places() {
+    let mut canvas = Canvas::new(Workers::alone(Level::new()));
+    canvas.place = Rect::from_min_max(Pos2::new(10.0, 20.0), Pos2::new(42.0, 44.0));
+    canvas.scale = 2.0;
+    assert_eq!(canvas.size(), VIEW);
+    for pixel in [[0, 0], [63, 0], [17, 30], [63, 47]] {
+        assert_eq!(canvas.pixel_at(canvas.place_of(pixel)), pixel);
+    }
+    assert_eq!(
+        canvas.pixel_at(Pos2::new(-5.0, 100.0)),
+        [0, 47],
+        "the nearest"
+    );
+}
+
+#[test]
+fn a_change_is_as_great_as_the_facts_that_it_outdates() {
+    let before = record_after(|_| ());
+    let view = |record: &SceneRecord| View::of(&record.spawn(), VIEW);
+    let by = |edit: fn(&mut SceneRecord)| {
+        let after = record_after(edit);
+        change((&before, &view(&before)), (&after, &view(&after)))
+    };
+    assert_eq!(by(|_| ()), Change::Nothing);
+    assert_eq!(by(|it| it.view.budget = Some(2.0)), Change::Nothing);
+    assert_eq!(by(|it| it.view.pixel = Some([0.1; 2])), Change::Pixel);
+    assert_eq!(by(|it| it.view.show = ViewMode::Error), Change::Shown);
+    assert_eq!(by(|it| it.view.tolerance = 1.0), Change::Method);
+    assert_eq!(by(|it| it.cuboid[0].shading = Phong), Change::Method);
+    assert_eq!(by(|it| it.light[0].on = false), Change::Scene);
+    assert_eq!(by(|it| it.camera[0].orbit.azimuth = 1.0), Change::Scene);
+    assert_eq!(by(|it| it.cuboid[0].size.x = 1.0), Change::Scene);
+    let wide = View::of(&before.spawn(), [80, 48]);
+    let same = (&before, &view(&before));
+    assert_eq!(change(same, (&before, &wide)), Change::Scene);
+}
+
+#[test]
+fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method() {
+    let record = record_after(|it| it.view.pixel = Some([0.0; 2]));
+    let desk = Desk::default();
+    let mut study = Study::new(None);
+    let subject = Subject {
+        name: "default",
+        record: &record,
+        view: View::of(&record.spawn(), VIEW),
+        method: Some(Method::of(Gouraud, 0.5)),
+        workers: &Workers::alone(Level::new()),
+        rests: false,
+    };
+    study.ask(&subject, &desk);
+    assert!(study.facts.probed(Some([32, 24])).is_some());
+    // A pixel of the same row is known, one of another row is not.
+    study.outdate(Change::Pixel, Some([33, 24]));
+    assert!(study.facts.section.is_current);
+    study.outdate(Change::Pixel, Some([33, 25]));
+    assert!(!study.facts.section.is_current);
+    study.facts.trade.finish(Some(measured()));
+    study.outdate(Change::Method, None);
+    assert!(study.facts.trade.is_current, "it is of every method");
+    study.outdate(Change::Scene, None);
+    assert!(!study.facts.trade.is_current);
+}
+
+#[test]
+fn a_choice_keeps_a_budget_and_goes_to_a_faster_method_when_a_frame_was_over_it() {
+    let world = default_scene().world;
+    let (mut choice, mut facts) = (Choice::default(), Facts::default());
+    let own = choice.method(&world);
+    choice.hold(Some(0.45), &facts, None);
+    assert_eq!(choice.method(&world), own, "nothing is measured");
+    facts.trade.finish(Some(measured()));
+    choice.hold(Some(0.45), &facts, None);
+    assert_eq!(choice.method(&world), Some(Method::of(Phong, 0.5)));
+    facts.trade.is_current = false;
+    choice.hold(Some(0.45), &facts, Some(0.44));
+    assert_eq!(choice.method(&world), Some(Method::of(Phong, 0.5)));
+    choice.hold(Some(0.45), &facts, Some(0.9));
+    let faster = choice.method(&world).map(|method| method.tolerance);
+    assert!(
+        faster.is_some_and(|tolerance| tolerance > 0.5),
+        "{faster:?}"
+    );
+    choice.hold(None, &facts, None);
+    assert_eq!(choice.method(&world), own);
+}
+
+#[test]
+fn the_rows_of_lights_switch_the_lights_of_a_world() {
+    let world = default_scene().world;
+    let mut harness = Harness::new_ui_state(|ui, world: &mut World| light_rows(ui, world), world);
+    let are_on = |world: &World| {
+        let mut lights = world.query::<&Light>();
+        lights.iter().filter(|light| light.on).count()
+    };
+    assert_eq!(are_on(harness.state()), 4);
+    harness.get_by_label("red").click();
+    harness.run_ok();
+    assert_eq!(are_on(harness.state()), 3);
+}
+
+#[test]
+fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
+    let mut study = Study::new(None);
+    study.facts.trade.finish(Some(measured()));
+    let mut world = default_scene().world;
+    shade(&mut world, ShadingMode::Gouraud);
+    let mut harness = Harness::builder().with_size([300.0, 300.0]).build_ui_state(
+        move |ui, world: &mut World| chart(ui, &study, &Choice::default(), world),
+        world,
+    );
+    let chosen = Method::of(Phong, 1.0);
+    let label = format!("choose {}", method_name(chosen));
+    harness.get_by_label(&label).click();
+    harness.run_ok();
+    assert_eq!(common_mode(harness.state()), Some(Phong));
+    assert_eq!(viewer_mut(harness.state_mut()).tolerance, 1.0);
+}
