@@ -6,7 +6,7 @@
 //! ```text
 //! draw(square):
 //!     classify each light: is n.l > 0 all over the square, n.l <= 0 all over, or neither? is its highlight visible?
-//!     if there are enough pixels, and bounds on the interpolation error of every light, and on all rounding errors, add up to less than the tolerance:
+//!     if there are enough pixels, and the bounds on all interpolation and rounding errors add up to less than the tolerance:
 //!         evaluate the model at nine nodes; draw the biquadratic polynomial through them, without terms that are negligible
 //!         (of one light n.l, or the logarithm of its highlight, is a polynomial of its own)
 //!     else if the square is larger than 16 x 16 pixels, and either bounds were computed or f32 is too coarse:

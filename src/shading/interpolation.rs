@@ -104,8 +104,9 @@ const MAX_FOURTH: f64 = 1e6;
 
 /// Colours of squares, x and y from -1 to 1 over each, and how each square is drawn.
 pub struct Interpolant<S: Simd> {
-    /// The fourth channel is n.l of the light that crosses 0 on the square, or log2(s^rho) of one highlight. Each pixel takes max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|; or the power
-    /// of two, whose error [`super::bound`] bounds.
+    /// The fourth channel is n.l of the light that crosses 0 on the square, or log2(s^rho) of one highlight. Each pixel takes
+    /// max(0, n.l), which does not enlarge an error: |max(0, a) - max(0, b)| <= |a - b|; or the power of two, whose error
+    /// [`super::bound`] bounds.
     terms: SquareColor<f64x4<S>>,
     /// The factors of max(0, n.l) or s^rho of each square, in levels; 0 where there is no fourth channel.
     factors: [[f32; 3]; 4],
