@@ -141,11 +141,8 @@ fn a_choice_keeps_a_budget_and_goes_to_a_faster_method_when_a_frame_was_over_it(
     choice.hold(Some(0.45), &facts, Some(0.44));
     assert_eq!(choice.method(&world), Some(Method::of(Phong, 0.5)));
     choice.hold(Some(0.45), &facts, Some(0.9));
-    let faster = choice.method(&world).map(|method| method.tolerance);
-    assert!(
-        faster.is_some_and(|tolerance| tolerance > 0.5),
-        "{faster:?}"
-    );
+    // Frames take twice their time: Gouraud alone still keeps it.
+    assert_eq!(choice.method(&world), Some(Method::of(Gouraud, 0.5)));
     choice.hold(None, &facts, None);
     assert_eq!(choice.method(&world), own);
 }
