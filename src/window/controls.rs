@@ -181,7 +181,7 @@ impl Rotation {
     pub fn go_on(&mut self, world: &mut World, now: Duration) {
         let mut viewer = viewer_mut(world);
         if viewer.turns && now >= self.next_degree {
-            let late = now - self.next_degree;
+            let late = now.saturating_sub(self.next_degree);
             let degrees = 1 + (late.as_millis() / DEGREE.as_millis()) as u32;
             self.next_degree += DEGREE * degrees;
             viewer.turned = (viewer.turned + degrees) % 360;

@@ -13,6 +13,7 @@ pub const TURN: Duration = Duration::from_millis(500);
 pub type EntityPlace = (&'static str, usize);
 
 /// The state of the window that is not the scene's.
+#[expect(clippy::struct_excessive_bools, reason = "each stands for itself")]
 #[derive(Default)]
 pub struct Desk {
     /// The time of the present step.
