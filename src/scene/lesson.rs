@@ -58,8 +58,11 @@ impl Scene {
     /// # Errors
     /// If the file cannot be read or is not a valid lesson.
     pub fn load_lesson(path: &Path) -> anyhow::Result<Scene> {
-        let named = [path.to_owned(), Path::new("lessons").join(path)];
-        let is_named = |name: &str| named.iter().any(|it| it.as_os_str() == name);
+        // A path that is joined to `lessons` has another separator on Windows.
+        let is_named = |name: &str| {
+            let last = name.strip_prefix("lessons/");
+            [Some(name), last].contains(&path.to_str())
+        };
         if let Some((name, text)) = LESSONS.iter().find(|(name, _)| is_named(name)) {
             return Scene::parse_lesson(name, text, Path::new(""));
         }

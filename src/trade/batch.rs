@@ -92,7 +92,7 @@ pub fn time_in_a_process(request: &Request, number: usize, _: Monitor) -> anyhow
 /// The file of the running program. Linux keeps it even if a new build has replaced it.
 fn this_program() -> std::io::Result<PathBuf> {
     let kept = Path::new("/proc/self/exe");
-    if kept.exists() {
+    if cfg!(target_os = "linux") && kept.exists() {
         Ok(kept.to_owned())
     } else {
         env::current_exe()
