@@ -16,7 +16,9 @@ struct Step(f64);
 /// The system: its query names the components that it reads and writes.
 fn round_colors(world: &mut World, _view: &View, _frame: &mut Frame) {
     for (step, colors) in world.query_mut::<(&Step, &mut VertexColors)>() {
-        colors.0 = colors.0.map(|levels| (levels / step.0).round() * step.0);
+        for levels in colors.all_mut() {
+            *levels = (*levels / step.0).round() * step.0;
+        }
     }
 }
 

@@ -22,7 +22,7 @@ pub mod command;
 
 use serde::Serialize;
 
-use crate::components::{Mesh, ShadingMode, View, ordered};
+use crate::components::{Mesh, NormalMode, ShadingMode, View, ordered};
 use crate::metrics::{difference, ends};
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::report::Monitor;
@@ -36,6 +36,8 @@ pub enum Part {
     Light(usize),
     /// A rule of the reference. [`Rule`] defines the picture without it.
     Rule(Rule),
+    /// Corner normals of a cuboid. Without the part it has face normals.
+    CornerNormals(usize),
     /// Phong shading of a cuboid. Without the part it is shaded by Gouraud.
     EveryPixel(usize),
     /// A cuboid. Without the part the surfaces behind it are visible.
@@ -61,6 +63,9 @@ impl Part {
             }
             Part::Rule(Rule::DepthTest) => "Without it the last cuboid of the file is in front.",
             Part::Rule(Rule::NearPlane) => "Without it nothing is cut at the near plane.",
+            Part::CornerNormals(_) => {
+                "Without it this cuboid has face normals: its edges are sharp."
+            }
             Part::EveryPixel(_) => "Without it this cuboid is shaded by Gouraud.",
             Part::Cuboid(_) => "Without it this cuboid is not drawn.",
             Part::F64 => "Without it all is computed in f32.",
@@ -97,6 +102,9 @@ pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", it.name))));
     parts.push(rule(Rule::SpecularGate, "specular gate"));
     parts.push(rule(Rule::UnitNormal, "unit normal"));
+    let smooth = cuboids().filter(|(_, it)| it.normals == NormalMode::Corner);
+    let name = |name: &str| format!("corner normals {name}");
+    parts.extend(smooth.map(|(i, it)| (Part::CornerNormals(i), name(&it.name))));
     parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", it.name))));
     let name = "perspective-correct interpolation";
     parts.push(rule(Rule::PerspectiveCorrect, name));
@@ -113,6 +121,7 @@ pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
     for part in parts {
         match *part {
             Part::Light(light) => record.light[light].on = false,
+            Part::CornerNormals(cuboid) => record.cuboid[cuboid].normals = NormalMode::Face,
             Part::EveryPixel(cuboid) => record.cuboid[cuboid].shading = ShadingMode::Gouraud,
             Part::Rule(_) | Part::Cuboid(_) | Part::F64 => {}
         }

@@ -13,7 +13,7 @@ use toml::Value;
 
 use super::failure::Failure;
 use crate::components::range::Milliseconds;
-use crate::components::{Projection, ShadingMode, Viewer, overwrite, viewer_mut};
+use crate::components::{NormalMode, Projection, ShadingMode, Viewer, overwrite, viewer_mut};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, check_place, one_line};
 use crate::scene::key::{self, Key};
@@ -38,6 +38,9 @@ pub struct DrawingOptions {
     /// The shading of all cuboids [default: each as the scene says]
     #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>([ShadingMode::Gouraud, ShadingMode::Phong].map(ShadingMode::name)))]
     pub shading: Option<ShadingMode>,
+    /// The vertex normals of all cuboids: corner (smooth edges) or face (sharp ones) [default: each as the scene says]
+    #[arg(long, value_name = "NORMALS", value_parser = one_of::<NormalMode>(NormalMode::ALL.map(NormalMode::name)))]
+    pub normals: Option<NormalMode>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
     pub lights: Option<String>,
@@ -93,6 +96,9 @@ impl DrawingOptions {
             overwrite(&mut scene.world, &mode);
             // A budget chooses the shading, too.
             viewer_mut(&mut scene.world).budget = None;
+        }
+        if let Some(normals) = self.normals {
+            overwrite(&mut scene.world, &normals);
         }
         if let Some(projection) = self.projection {
             viewer_mut(&mut scene.world).projection = projection;

@@ -26,6 +26,11 @@ pub const FACES: [[u8; 4]; 6] = [
     [0, 2, 3, 1],
 ];
 
+/// The sign of a face's outward normal along its axis, as [`FACES`] counts.
+pub fn outward_sign(face: usize) -> f64 {
+    if face.is_multiple_of(2) { 1.0 } else { -1.0 }
+}
+
 /// The twelve triangles, two to a face in the order of [`FACES`], counter-clockwise seen from outside.
 pub const TRIANGLES: [[u8; 3]; 12] = {
     let mut triangles = [[0; 3]; 12];

@@ -4,6 +4,7 @@ use glam::DVec3;
 use hecs::World;
 use serde::{Deserialize, Serialize};
 
+use super::mesh::{FACES, outward_sign};
 use super::range::{Shininess, Strength};
 
 /// The reflection of a surface: one coefficient for each channel and term, and the exponent of the highlight.
@@ -56,13 +57,86 @@ pub fn common_mode(world: &World) -> Option<ShadingMode> {
     modes.all(|mode| *mode == first).then_some(first)
 }
 
-/// Unit vertex normals in world space, one per corner of the [`super::Mesh`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Normals(pub [DVec3; 8]);
+/// The definition of a cuboid's vertex normals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum NormalMode {
+    /// The normalised sum of the normals of the three faces that meet at the corner: edges look smooth.
+    #[default]
+    Corner,
+    /// The normal of the face itself, at its four corners: edges look sharp.
+    Face,
+}
 
-/// The model at each corner, in levels, unclamped.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VertexColors(pub [DVec3; 8]);
+impl NormalMode {
+    pub const ALL: [NormalMode; 2] = [NormalMode::Corner, NormalMode::Face];
+
+    /// The name in scene files and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            NormalMode::Corner => "corner",
+            NormalMode::Face => "face",
+        }
+    }
+}
+
+/// Unit vertex normals in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Normals {
+    /// One per corner of the [`super::Mesh`], shared by the faces there.
+    Corner([DVec3; 8]),
+    /// Those of the faces +x, +y and +z.
+    Face([DVec3; 3]),
+}
+
+impl Normals {
+    /// The normals at the corners of a face, in the order of [`FACES`].
+    pub fn of_face(&self, face: usize) -> [DVec3; 4] {
+        match self {
+            Normals::Corner(normals) => FACES[face].map(|corner| normals[usize::from(corner)]),
+            Normals::Face(normals) => [normals[face / 2] * outward_sign(face); 4],
+        }
+    }
+}
+
+impl Default for Normals {
+    fn default() -> Self {
+        Normals::Corner([DVec3::ZERO; 8])
+    }
+}
+
+/// The model at the vertices, in levels, unclamped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VertexColors {
+    /// One per corner of the [`super::Mesh`], shared by the faces there.
+    Corner([DVec3; 8]),
+    /// Those at the corners of the visible face across each axis: a face and the one opposite are never seen together.
+    Face([[DVec3; 4]; 3]),
+}
+
+impl VertexColors {
+    /// The levels at the corners of a visible face, in the order of [`FACES`].
+    pub fn of_face(&self, face: usize) -> [DVec3; 4] {
+        match self {
+            VertexColors::Corner(levels) => FACES[face].map(|corner| levels[usize::from(corner)]),
+            VertexColors::Face(levels) => levels[face / 2],
+        }
+    }
+
+    /// All levels, to be changed.
+    pub fn all_mut(&mut self) -> &mut [DVec3] {
+        match self {
+            VertexColors::Corner(levels) => levels,
+            VertexColors::Face(levels) => levels.as_flattened_mut(),
+        }
+    }
+}
+
+impl Default for VertexColors {
+    fn default() -> Self {
+        VertexColors::Corner([DVec3::ZERO; 8])
+    }
+}
 
 /// The corners of a cuboid as the camera sees them, and the polygons of its faces on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -40,8 +40,6 @@ pub(crate) struct Object {
     /// Half its edges, in world units.
     pub half: DVec3,
     pub mode: ShadingMode,
-    /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
-    pub corners: [DVec3; 8],
     pub gloss: Gloss,
 }
 
@@ -56,6 +54,8 @@ pub(crate) struct Piece {
     pub row: usize,
     pub spans: Range<usize>,
     pub plane: Plane,
+    /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
+    pub corners: [DVec3; 4],
     /// The least and the largest nearness on the visible part of the face. Samples are clamped to it: snapping may put
     /// one just outside an edge-on face, where the nearness of its plane is far off.
     pub range: [f64; 2],
@@ -139,6 +139,7 @@ mod tests {
             row: 0,
             spans: 0..96,
             plane: Plane::default(),
+            corners: [DVec3::ZERO; 4],
             range: [0.0; 2],
         };
         let mut list = DrawList {

@@ -12,10 +12,10 @@
 
 use glam::DVec3;
 
-use super::geometry::{CuboidGeometry, FacePoint};
+use super::geometry::{CuboidGeometry, FacePoint, across};
 use super::real::{Real, RealVector};
 use super::rule::Rule;
-use crate::components::{Light, LightKind, Material};
+use crate::components::{Light, LightKind, Material, NormalMode};
 
 /// The tied gates that are open: under Gouraud one bit per corner of the triangle, otherwise one bit per tied gate. Where
 /// more gates are tied at a point than it has bits, one enclosure holds all combinations.
@@ -41,7 +41,8 @@ pub struct LightTerm<R> {
 
 /// The vectors of the model at a corner.
 struct Corner<R> {
-    normal: RealVector<R>,
+    /// The corner from the cuboid's centre: each coordinate is 1 or -1.
+    signs: DVec3,
     to_eye: RealVector<R>,
     /// l of every light.
     to_lights: Vec<RealVector<R>>,
@@ -59,18 +60,20 @@ pub struct ReferenceSurface<R> {
     /// The rule that is left out, if any.
     without: Option<Rule>,
     shininess: f64,
+    normals: NormalMode,
     /// In file order.
     pub lights: Vec<LightTerm<R>>,
     corners: [Corner<R>; 8],
-    /// The levels at the corners with tied gates closed, and with tied gates open.
-    corner_levels: Vec<[Lit<R>; 8]>,
+    /// The levels at the corners with tied gates closed, and with tied gates open; of face normals, with those along x, y
+    /// and z.
+    corner_levels: [Vec<[Lit<R>; 8]>; 2],
 }
 
 impl<R: Real> ReferenceSurface<R> {
     /// The surface of a cuboid. `lights` are the lights that are on with their positions; positions are in world units.
     pub fn new(
         solid: &CuboidGeometry<R>,
-        material: &Material,
+        (material, normals): (&Material, NormalMode),
         lights: &[(DVec3, Light)],
         (eye, centre): (DVec3, DVec3),
         without: Option<Rule>,
@@ -96,8 +99,7 @@ impl<R: Real> ReferenceSurface<R> {
         let corners = solid.mesh.corners.map(|corner| {
             let place = RealVector::exact(corner);
             Corner {
-                // The normals of the three faces at a corner are the axes with the signs of its coordinates.
-                normal: RealVector::exact(corner.signum()).unit(),
+                signs: corner.signum(),
                 to_eye: solid.to_eye(place - solid.eye),
                 to_lights: (lights.iter())
                     .map(|light| (light.from_centre - place).unit())
@@ -107,17 +109,48 @@ impl<R: Real> ReferenceSurface<R> {
         let mut surface = ReferenceSurface {
             without,
             shininess: material.shininess,
+            normals,
             lights,
             corners,
-            corner_levels: Vec::new(),
+            corner_levels: Default::default(),
         };
-        let lit = |corner: &Corner<R>, open| {
+        let axes = match normals {
+            NormalMode::Corner => 1,
+            NormalMode::Face => 3,
+        };
+        let lit = |corner: &Corner<R>, axis, open| {
             let to_light = |light: usize| corner.to_lights[light];
-            surface.lit(corner.normal, corner.to_eye, to_light, open, 1)
+            let normal = surface.normal_at(corner, axis);
+            surface.lit(normal, corner.to_eye, to_light, open, 1)
         };
-        let lit = |open| surface.corners.each_ref().map(|corner| lit(corner, open));
-        surface.corner_levels = vec![lit(0), lit(ALL)];
+        let lit = |axis, open| (surface.corners.each_ref()).map(|corner| lit(corner, axis, open));
+        surface.corner_levels = [0, ALL].map(|open| (0..axes).map(|it| lit(it, open)).collect());
         surface
+    }
+
+    /// The unit normal at a corner, on a face across this axis.
+    fn normal_at(&self, corner: &Corner<R>, axis: usize) -> RealVector<R> {
+        match self.normals {
+            // The normals of the three faces there are the axes with these signs.
+            NormalMode::Corner => RealVector::exact(corner.signs).unit(),
+            NormalMode::Face => RealVector::exact(corner.signs * DVec3::AXES[axis]),
+        }
+    }
+
+    /// The unit normal at a corner of a face.
+    pub fn corner_normal(&self, face: usize, corner: usize) -> RealVector<R> {
+        self.normal_at(&self.corners[corner], across(face).0)
+    }
+
+    /// The unit normal at a point of a face.
+    pub fn normal(&self, face: usize, place: &FacePoint<R>) -> RealVector<R> {
+        match self.normals {
+            NormalMode::Corner => place.share.unit(),
+            NormalMode::Face => {
+                let (axis, outwards) = across(face);
+                RealVector::exact(DVec3::AXES[axis] * outwards)
+            }
+        }
     }
 
     pub fn is_perspective_correct(&self) -> bool {
@@ -219,13 +252,14 @@ impl<R: Real> ReferenceSurface<R> {
     }
 
     /// Phong (1975): the model at a point of a face.
-    pub fn phong(&self, place: &FacePoint<R>, open: Open) -> Lit<R> {
+    pub fn phong(&self, face: usize, place: &FacePoint<R>, open: Open) -> Lit<R> {
         let to_light = |light| self.to_light(light, place);
-        let normal = if self.without == Some(Rule::UnitNormal) {
+        let is_shared = self.normals == NormalMode::Corner;
+        let normal = if self.without == Some(Rule::UnitNormal) && is_shared {
             // At a corner the share is (±1, ±1, ±1) / 2, and the unit normal is (±1, ±1, ±1) / sqrt(3).
             place.share * (R::of(2.0) / R::of(3.0).sqrt())
         } else {
-            place.share.unit()
+            self.normal(face, place)
         };
         self.lit(normal, place.to_eye, to_light, open, TIES)
     }
@@ -236,8 +270,11 @@ impl<R: Real> ReferenceSurface<R> {
     }
 
     /// Gouraud (1971): the levels at the corners, interpolated over the triangle.
-    pub fn gouraud(&self, corners: [usize; 3], weights: [R; 3], open: Open) -> Lit<R> {
-        let lit: [_; 3] = std::array::from_fn(|i| self.corner_levels[open >> i & 1][corners[i]]);
+    pub fn gouraud(&self, face: usize, corners: [usize; 3], weights: [R; 3], open: Open) -> Lit<R> {
+        let lit: [_; 3] = std::array::from_fn(|i| {
+            let levels = &self.corner_levels[open >> i & 1];
+            levels[across(face).0 % levels.len()][corners[i]]
+        });
         Lit {
             levels: blend(lit.map(|lit| lit.levels), weights),
             ties: lit.iter().map(|lit| lit.ties).sum(),
@@ -245,19 +282,28 @@ impl<R: Real> ReferenceSurface<R> {
     }
 
     /// The factor of a light's levels in the model at a corner, with tied gates closed.
-    pub fn factor_at_corner(&self, light: usize, corner: usize) -> R {
+    pub fn factor_at_corner(&self, light: usize, face: usize, corner: usize) -> R {
         let (kind, corner) = (self.lights[light].kind, &self.corners[corner]);
-        let to_light = corner.to_lights[light];
-        self.factor(kind, corner.normal, corner.to_eye, to_light, false)
+        let (normal, to_light) = (
+            self.normal_at(corner, across(face).0),
+            corner.to_lights[light],
+        );
+        self.factor(kind, normal, corner.to_eye, to_light, false)
     }
 
     /// The assignment's shortcut: the corners' unit n, l and o are interpolated and not normalised again.
-    pub fn unit_vectors(&self, corners: [usize; 3], weights: [R; 3], open: Open) -> Lit<R> {
+    pub fn unit_vectors(
+        &self,
+        face: usize,
+        corners: [usize; 3],
+        weights: [R; 3],
+        open: Open,
+    ) -> Lit<R> {
         let between = |vector: &dyn Fn(&Corner<R>) -> RealVector<R>| {
             blend(corners.map(|corner| vector(&self.corners[corner])), weights)
         };
         let to_light = |light: usize| between(&|corner| corner.to_lights[light]);
-        let normal = between(&|corner| corner.normal);
+        let normal = between(&|corner| self.normal_at(corner, across(face).0));
         self.lit(
             normal,
             between(&|corner| corner.to_eye),

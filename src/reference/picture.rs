@@ -14,7 +14,8 @@ use super::real::{Real, RealVector};
 use super::rule::Rule;
 use super::sight::{Place, Sight};
 use crate::components::{
-    FileOrder, Light, Material, Mesh, ShadingMode, Transform, TriangleId, View, in_file_order,
+    FileOrder, Light, Material, Mesh, NormalMode, ShadingMode, Transform, TriangleId, View,
+    in_file_order,
 };
 use crate::memory;
 use crate::report::Monitor;
@@ -49,6 +50,7 @@ type Cuboid<'a> = (
     &'a Transform,
     &'a Mesh,
     &'a Material,
+    &'a NormalMode,
     &'a ShadingMode,
 );
 
@@ -100,19 +102,27 @@ impl<R: Real> Reference<R> {
             (transform.position, *light)
         });
         lights.retain(|(_, light)| light.on);
-        let cuboids =
-            in_file_order::<Cuboid, _>(world, |(order, transform, mesh, material, mode)| {
+        let cuboids = in_file_order::<Cuboid, _>(
+            world,
+            |(order, transform, mesh, material, normals, mode)| {
                 let transform = &transform.turned(view.turned);
                 let bounds = enclosed.bounds(transform, mesh);
                 let solid = CuboidGeometry::new(&sight, transform, mesh, bounds);
                 let places = (sight.eye, transform.position);
                 ReferenceCuboid {
                     number: order.0 as usize,
-                    surface: ReferenceSurface::new(&solid, material, &lights, places, without),
+                    surface: ReferenceSurface::new(
+                        &solid,
+                        (material, *normals),
+                        &lights,
+                        places,
+                        without,
+                    ),
                     solid,
                     mode: view.mode(*mode),
                 }
-            });
+            },
+        );
         Reference {
             without,
             sight,
@@ -265,20 +275,21 @@ impl<R: Real> ReferenceCuboid<R> {
     /// The levels at a place on a triangle of a face, or on the triangle's plane beyond the diagonal.
     fn lit(&self, face: usize, is_first: bool, place: &FacePoint<R>, open: Open) -> Lit<R> {
         if self.mode == ShadingMode::Phong && self.surface.is_perspective_correct() {
-            return self.surface.phong(place, open);
+            return self.surface.phong(face, place, open);
         }
         let (corners, mut weights) = CuboidGeometry::weights(face, is_first, place);
         if self.mode == ShadingMode::UnitVectors {
             let weights = self.solid.shortcut_weights(corners, weights);
-            return self.surface.unit_vectors(corners, weights, open);
+            return self.surface.unit_vectors(face, corners, weights, open);
         }
         if !self.surface.is_perspective_correct() {
             weights = self.solid.weights_on_screen(corners, weights);
         }
         if self.mode == ShadingMode::Gouraud {
-            return self.surface.gouraud(corners, weights, open);
+            return self.surface.gouraud(face, corners, weights, open);
         }
-        self.surface.phong(&self.blended(corners, weights), open)
+        let place = self.blended(corners, weights);
+        self.surface.phong(face, &place, open)
     }
 
     /// The place interpolated between the corners.

@@ -86,7 +86,7 @@ impl Reference<f64> {
         let (face, place) = met.meeting.points.first()?;
         let is_first = place.is_on_first?;
         let (corners, weights) = CuboidGeometry::weights(*face, is_first, place);
-        let (normal, to_eye) = (place.share.unit(), place.to_eye);
+        let (normal, to_eye) = (surface.normal(*face, place), place.to_eye);
         let to_world = |v: RealVector<f64>| {
             let [x, y, z] = v.0;
             (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
@@ -95,7 +95,8 @@ impl Reference<f64> {
         let lights = lights.map(|(index, (light, name))| {
             let to_light = surface.to_light(index, place);
             let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
-            let corner_factors = corners.map(|corner| surface.factor_at_corner(index, corner));
+            let corner_factors =
+                corners.map(|corner| surface.factor_at_corner(index, *face, corner));
             let corner_levels = corner_factors.map(|factor| light.levels * factor);
             let is_directed =
                 light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
@@ -113,8 +114,7 @@ impl Reference<f64> {
             }
         });
         let on_screen = solid.shortcut_weights(corners, weights);
-        let normals =
-            corners.map(|corner| RealVector::exact(solid.mesh.corners[corner].signum()).unit());
+        let normals = corners.map(|corner| surface.corner_normal(*face, corner));
         Some(Sample {
             object: met.cuboid.number,
             triangle: 2 * face + usize::from(!is_first),
@@ -123,8 +123,11 @@ impl Reference<f64> {
             normal: to_world(normal),
             to_eye: to_world(to_eye),
             lights: lights.collect(),
-            gouraud: surface.gouraud(corners, weights, 0).levels.to_dvec3(),
-            phong: surface.phong(place, 0).levels.to_dvec3(),
+            gouraud: surface
+                .gouraud(*face, corners, weights, 0)
+                .levels
+                .to_dvec3(),
+            phong: surface.phong(*face, place, 0).levels.to_dvec3(),
             normal_length: blend(normals, on_screen).length_squared().sqrt(),
         })
     }

@@ -26,7 +26,7 @@ use serde::Serialize;
 
 use super::{error, rows};
 use crate::components::{
-    FACES, LightKind, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
+    FACES, LightKind, Mesh, NormalMode, Projection, ShadingMode, TRIANGLES, Transform, View,
 };
 use crate::metrics::ends;
 use crate::reference::{Interval, LightSample, Reference, Sample, in_row};
@@ -246,8 +246,17 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     let corners = |cuboid: &CuboidRecord| {
         let (position, rotation) = (cuboid.position, cuboid.rotation);
         let axes = Transform { position, rotation }.turned(view.turned).axes();
-        let corner = |c: DVec3| [position + axes * c, axes * c.signum().normalize()];
-        Mesh::cuboid(cuboid.size).corners.map(corner)
+        let corners = Mesh::cuboid(cuboid.size).corners;
+        from_fn::<_, 12, _>(|triangle| {
+            TRIANGLES[triangle].map(|corner| {
+                let corner = corners[usize::from(corner)];
+                let normal = match cuboid.normals {
+                    NormalMode::Corner => corner.signum().normalize(),
+                    NormalMode::Face => corner.signum() * DVec3::AXES[triangle / 4],
+                };
+                [position + axes * corner, axes * normal]
+            })
+        })
     };
     let corners: Vec<_> = record.cuboid.iter().map(corners).collect();
     let enclosures = rows(Reference::<Interval>::new(&scene.world, view));
@@ -262,7 +271,7 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
         for (full, sample) in enclosures(y).iter().zip(&samples) {
             let Some(sample) = sample else { continue };
             let (object, triangle) = (sample.object, sample.triangle);
-            let vertices = TRIANGLES[triangle].map(|vertex| corners[object][usize::from(vertex)]);
+            let vertices = corners[object][triangle];
             let face = Some(object * FACES.len() + triangle / 2);
             for (largest, &(stage, format)) in errors.iter_mut().zip(&trials) {
                 let trial = Trial {

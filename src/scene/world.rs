@@ -4,8 +4,8 @@ use hecs::World;
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 use crate::components::{
-    Background, Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Normals, Orbit,
-    Projected, ShadingMode, Transform, VertexColors, Viewer, WorldTransform, background,
+    Background, Camera, FileOrder, Light, LightKind, Material, Mesh, Name, NormalMode, Normals,
+    Orbit, Projected, ShadingMode, Transform, VertexColors, Viewer, WorldTransform, background,
     in_file_order, viewer,
 };
 
@@ -15,17 +15,26 @@ impl SceneRecord {
     /// # Panics
     /// If the world has no viewer or no camera. A spawned scene has both.
     pub fn of(world: &World) -> SceneRecord {
-        let cuboid = in_file_order::<(&Name, &Transform, &Mesh, &Material, &ShadingMode), _>(
-            world,
-            |(name, at, mesh, material, shading)| CuboidRecord {
-                name: name.0.clone(),
-                size: mesh.size(),
-                position: at.position,
-                rotation: at.rotation,
-                shading: *shading,
-                material: *material,
-            },
+        type Parts<'a> = (
+            &'a Name,
+            &'a Transform,
+            &'a Mesh,
+            &'a Material,
+            &'a ShadingMode,
+            &'a NormalMode,
         );
+        let cuboid =
+            in_file_order::<Parts, _>(world, |(name, at, mesh, material, shading, normals)| {
+                CuboidRecord {
+                    name: name.0.clone(),
+                    size: mesh.size(),
+                    position: at.position,
+                    rotation: at.rotation,
+                    shading: *shading,
+                    normals: *normals,
+                    material: *material,
+                }
+            });
         let light = in_file_order::<(&Name, &Transform, &Light), _>(world, |(name, at, light)| {
             LightRecord {
                 name: name.0.clone(),
@@ -81,6 +90,7 @@ impl SceneRecord {
                 mesh,
                 it.material,
                 it.shading,
+                it.normals,
                 WorldTransform::default(),
                 Normals::default(),
                 VertexColors::default(),

@@ -16,7 +16,7 @@
 use glam::DVec3;
 
 use super::affine::Affine;
-use crate::components::{FACES, Lens, Polygon, Projection, WorldTransform, length};
+use crate::components::{FACES, Lens, Polygon, Projection, WorldTransform, length, outward_sign};
 
 /// The lines of sight of a frame, anchored at the picture's middle.
 #[derive(Clone, Copy, Debug, Default)]
@@ -65,8 +65,7 @@ impl Plane {
     /// The plane of face `index` of a cuboid, as [`FACES`] counts. `half` are half the cuboid's edges, in world units.
     pub fn new(index: usize, transform: &WorldTransform, half: DVec3, rays: &Rays) -> Self {
         let axis = index / 2;
-        let sign = if index.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let outwards = transform.axes.col(axis) * sign;
+        let outwards = transform.axes.col(axis) * outward_sign(index);
         Plane {
             face: index,
             outwards,
@@ -150,11 +149,10 @@ impl<'a> Face<'a> {
     }
 
     /// The affine function of u and v with the given values at the corners of triangle 0 or 1; `values` are those of the
-    /// cuboid's eight corners. The face's fourth corner is not used: its value may be so large that the others would be
-    /// rounded away.
-    pub fn interpolate(&self, values: &[DVec3; 8], triangle: usize) -> Affine {
+    /// face's corners. The fourth corner is not used: its value may be so large that the others would be rounded away.
+    pub fn interpolate(&self, values: &[DVec3; 4], triangle: usize) -> Affine {
         let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
-        let [a, b, c] = corners.map(|corner| values[usize::from(FACES[self.plane.face][corner])]);
+        let [a, b, c] = corners.map(|corner| values[corner]);
         let signs = corners.map(|corner| self.corners[corner]);
         let half = |axis: usize| {
             let [from, middle, to] = signs.map(|signs| signs[axis]);
@@ -163,12 +161,11 @@ impl<'a> Face<'a> {
         Affine::new((a + c) / 2.0, half(0), half(1))
     }
 
-    /// The value at a point of what has these values at the cuboid's eight corners and is linear on each triangle of the
-    /// face.
+    /// The value at a point of what has these values at the face's corners and is linear on each of its triangles.
     ///
     /// On an edge the weight of the corner opposite is exactly 0, so a very large value there does not round the others away.
-    pub fn blend(&self, values: &[DVec3; 8], [u, v]: [f64; 2]) -> DVec3 {
-        let [a, b, c, d] = FACES[self.plane.face].map(|corner| values[usize::from(corner)]);
+    pub fn blend(&self, values: &[DVec3; 4], [u, v]: [f64; 2]) -> DVec3 {
+        let [a, b, c, d] = *values;
         let third = if self.diagonal_at([u, v]) < 0.0 { d } else { b };
         let (least, most) = (u.min(v), u.max(v));
         (a * (1.0 - most) + third * (most - least) + c * (1.0 + least)) / 2.0

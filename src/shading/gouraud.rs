@@ -22,9 +22,9 @@ pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// The levels at the cuboid's corners; and w times those on the first and on the second triangle, as functions of the
+    /// The levels at the face's corners; and w times those on the first and on the second triangle, as functions of the
     /// pixel.
-    vertex_levels: &'a [DVec3; 8],
+    vertex_levels: &'a [DVec3; 4],
     colors_by_pixel: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
     w_by_square: Affine<[f32; 4]>,
@@ -52,8 +52,8 @@ pub struct Gouraud<'a> {
 const COLOR_ERROR: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {
-    /// Draws levels that are given at a cuboid's corners.
-    pub fn new(face: &'a Face, vertex_levels: &'a [DVec3; 8], tolerance: f64) -> Self {
+    /// Draws levels that are given at the face's corners.
+    pub fn new(face: &'a Face, vertex_levels: &'a [DVec3; 4], tolerance: f64) -> Self {
         Gouraud {
             face,
             tolerance,

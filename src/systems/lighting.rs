@@ -3,14 +3,15 @@
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed only for cuboids
 //! with Gouraud shading.
 
+use std::array::from_fn;
 use std::cmp::Ordering::Equal;
 
 use glam::DVec3;
 use hecs::World;
 
 use crate::components::{
-    Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projection, ShadingMode,
-    Transform, VertexColors, View, WorldTransform, unit,
+    FACES, Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
+    Projection, ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
 };
 use crate::frame::Frame;
 use crate::shading::Surface;
@@ -21,12 +22,13 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         world.query_mut::<(&Transform, &Light)>().into_iter(),
         &mut frame.list.illumination,
     );
-    for (transform, mesh, material, own, normals, colors) in world.query_mut::<(
+    for (transform, mesh, material, own, normals, projected, colors) in world.query_mut::<(
         &WorldTransform,
         &Mesh,
         &Material,
         &ShadingMode,
         &Normals,
+        &Projected,
         &mut VertexColors,
     )>() {
         if view.mode(*own) != ShadingMode::Gouraud {
@@ -34,16 +36,35 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         }
         let surface = Surface::new(material, &frame.list.illumination, transform.position);
         let lens = frame.lens();
-        colors.0 = std::array::from_fn(|corner| {
+        let levels = |corner: usize, normal: DVec3| {
             let offset = transform.axes * mesh.corners[corner];
             let to_eye = match lens.projection {
                 Projection::Perspective => unit(lens.eye - transform.position - offset),
                 Projection::Orthographic => -lens.axes[2],
             };
-            surface.levels(offset, normals.0[corner], to_eye)
-        });
-        frame.counts.model_evaluations += 8;
-        frame.counts.specular_evaluations += 8 * surface.powers() as u64;
+            surface.levels(offset, normal, to_eye)
+        };
+        let evaluations = match normals {
+            Normals::Corner(normals) => {
+                *colors = VertexColors::Corner(from_fn(|corner| levels(corner, normals[corner])));
+                8
+            }
+            Normals::Face(_) => {
+                let is_seen = |face: &usize| projected.polygons[*face].len > 0;
+                let mut faces = [[DVec3::ZERO; 4]; 3];
+                let mut seen = 0;
+                for face in (0..FACES.len()).filter(is_seen) {
+                    let corners = FACES[face].map(usize::from);
+                    let normals = normals.of_face(face);
+                    faces[face / 2] = from_fn(|index| levels(corners[index], normals[index]));
+                    seen += 1;
+                }
+                *colors = VertexColors::Face(faces);
+                4 * seen
+            }
+        };
+        frame.counts.model_evaluations += evaluations;
+        frame.counts.specular_evaluations += evaluations * surface.powers() as u64;
     }
 }
 
@@ -88,8 +109,6 @@ fn gather<'a>(
 
 #[cfg(test)]
 mod tests {
-    use std::array::from_fn;
-
     use super::*;
 
     fn at(x: f64) -> Transform {

@@ -56,6 +56,7 @@ impl App {
                 self.desk.say_any(controls::switch_light_named(world, name));
             }
             Action::Shading(mode) => controls::shade(world, mode),
+            Action::SharpEdges => controls::switch_edges(world),
             Action::Tolerance(steps) => self.desk.say_any(self.choice.step(world, steps)),
             Action::HoldTime => self.choice.switch(world, &self.study.facts),
             Action::NextProjection => controls::next_projection(world),

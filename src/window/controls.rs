@@ -8,8 +8,8 @@ use hecs::World;
 
 use super::keys::TOLERANCES;
 use crate::components::{
-    Camera, Light, Orbit, Projection, ShadingMode, Side, ViewMode, active_camera, get, names,
-    ordered, overwrite, viewer, viewer_mut,
+    Camera, Light, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, active_camera, get,
+    names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
 use crate::shading::Method;
@@ -43,6 +43,18 @@ pub fn switch_light_named(world: &World, name: &str) -> Option<String> {
 pub fn shade(world: &mut World, mode: ShadingMode) {
     viewer_mut(world).budget = None;
     overwrite(world, &mode);
+}
+
+/// Whether every cuboid has face normals.
+pub fn has_sharp_edges(world: &World) -> bool {
+    let mut modes = world.query::<&NormalMode>();
+    modes.iter().all(|mode| *mode == NormalMode::Face)
+}
+
+/// Gives every cuboid face normals, or corner normals if all have face normals.
+pub fn switch_edges(world: &mut World) {
+    let normals = NormalMode::ALL[usize::from(!has_sharp_edges(world))];
+    overwrite(world, &normals);
 }
 
 /// Shades every cuboid by a method. Interpolated unit vectors are no shading mode of scenes: a wipe compares them.

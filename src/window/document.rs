@@ -237,7 +237,7 @@ pub fn has_edits(state: &SceneRecord, saved: &SceneRecord) -> bool {
     state.background != saved.background
         || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
         || differ(&state.cuboid, &saved.cuboid, |it, saved| {
-            it.shading = saved.shading;
+            (it.shading, it.normals) = (saved.shading, saved.normals);
         })
         || differ(&state.camera, &saved.camera, |it, saved| {
             it.orbit = saved.orbit;

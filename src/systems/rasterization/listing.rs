@@ -39,6 +39,13 @@ impl DrawList {
                 continue;
             }
             let mode = view.mode(*own);
+            for piece in &mut self.pieces[pieces..] {
+                let face = piece.id.face();
+                piece.corners = match mode {
+                    ShadingMode::Gouraud => colors.of_face(face),
+                    _ => normals.of_face(face),
+                };
+            }
             let surface = Surface::new(material, &self.illumination, transform.position);
             let gloss = match self.objects.last() {
                 Some(last) if last.material == *material => last.gloss,
@@ -50,10 +57,6 @@ impl DrawList {
                 half,
                 mode,
                 gloss,
-                corners: match mode {
-                    ShadingMode::Gouraud => colors.0,
-                    _ => normals.0,
-                },
             });
         }
     }
@@ -82,6 +85,7 @@ impl DrawList {
                     row,
                     spans: start..self.from.len(),
                     plane: Plane::new(index, transform, half, &self.rays),
+                    corners: [DVec3::ZERO; 4],
                     range: self.range(FACES[index].map(|it| projected.seen[usize::from(it)].z)),
                 });
             }

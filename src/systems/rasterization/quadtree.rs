@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
-use crate::frame::{Band, DrawList, Object, Piece};
+use crate::frame::{Band, DrawList, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::Gouraud;
@@ -52,7 +52,7 @@ impl DrawList {
         }
         let object = &self.objects[piece.object];
         let face = Face::new(&piece.plane, &object.transform, object.half, &self.rays);
-        let shader = &mut self.shader(object, &face, lights, to_lights);
+        let shader = &mut self.shader(piece, &face, lights, to_lights);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
@@ -68,14 +68,15 @@ impl DrawList {
     /// The shader of a face, by the mode of its cuboid.
     fn shader<'a>(
         &'a self,
-        object: &'a Object,
+        piece: &'a Piece,
         face: &'a Face,
         lights: &'a mut Vec<FaceLight>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
     ) -> Shader<'a> {
+        let object = &self.objects[piece.object];
         let (material, centre) = (&object.material, object.transform.position);
         let surface = Surface::new(material, &self.illumination, centre);
-        let (corners, tolerance) = (&object.corners, self.tolerance);
+        let (corners, tolerance) = (&piece.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {
             ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),

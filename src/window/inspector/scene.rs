@@ -20,8 +20,9 @@ use crate::window::widgets::{color_button, number};
 /// The keys that have a colour picker.
 const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
 /// The keys whose value is one of these words.
-const CHOICES: [(&str, &[&str]); 2] = [
+const CHOICES: [(&str, &[&str]); 3] = [
     ("shading", &["gouraud", "phong"]),
+    ("normals", &["corner", "face"]),
     ("kind", &["ambient", "diffuse", "specular"]),
 ];
 /// In a narrower tab the letters are small, in points.

@@ -107,7 +107,7 @@ proptest! {
         let corners = [w(-1.0, -1.0), w(1.0, -1.0), w(-1.0, 1.0), w(1.0, 1.0)];
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
-        let corners = [DVec3::splat(100.0); 8];
+        let corners = [DVec3::splat(100.0); 4];
         let mut gouraud = Gouraud::new(&face, &corners, 0.5);
         gouraud.prepare(simd, &extents, true);
         let by_vertex = gouraud.in_f32 & 1 == 1;
@@ -131,7 +131,7 @@ proptest! {
         };
         let (material, illumination) = (white(1e3), Illumination { points: vec![light], ..Illumination::default() });
         let surface = Surface { material: &material, illumination: &illumination, centre: cuboid.position };
-        let normals = face.interpolate(&[DVec3::Y; 8], 0);
+        let normals = face.interpolate(&[DVec3::Y; 4], 0);
         let gloss = Gloss::new(&surface, 0.5);
         let mut lights = Vec::new();
         let mut phong = Phong::new(&face, normals, surface, &gloss, &mut lights, 0.5);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View, Viewer};
+use shadetrade::components::{LightKind, Material, NormalMode, Projection, ShadingMode, View, Viewer};
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 use super::random::Random;
@@ -94,6 +94,7 @@ impl Case {
         CuboidRecord {
             rotation: random.around(400.0),
             shading: self.mode,
+            normals: NormalMode::ALL[(self.seed >> (20 + index)) as usize & 1],
             material: Material {
                 ambient: DVec3::new(0.1, 0.2, 0.3),
                 diffuse: DVec3::new(0.9, 0.6, 0.3),

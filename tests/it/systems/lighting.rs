@@ -26,7 +26,7 @@ fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
     let centre = dvec3(5.0, -6.0, 7.0);
     let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(centre), MATERIAL);
     let third = 1.0 / 3.0_f64.sqrt();
-    let normals = Normals(std::array::from_fn(|corner| signs(corner) * third));
+    let normals = Normals::Corner(std::array::from_fn(|corner| signs(corner) * third));
     let derived = (place(at(centre)), normals);
     world.insert(cuboid, derived).expect("it was spawned");
     for (position, light) in lights {
@@ -36,7 +36,10 @@ fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
     view.camera.position += centre;
     view.camera.target += centre;
     let frame = run(&mut world, &view);
-    (read::<VertexColors>(&world, cuboid).0, frame)
+    let VertexColors::Corner(colors) = read(&world, cuboid) else {
+        panic!("the normals are those of corners");
+    };
+    (colors, frame)
 }
 
 #[test]
@@ -92,6 +95,26 @@ fn gouraud_s_vertex_colours_are_the_model_at_the_vertices() {
         let evaluations = (counts.model_evaluations, counts.specular_evaluations);
         assert_eq!(evaluations, (8, 8));
     }
+}
+
+#[test]
+fn with_face_normals_the_model_is_evaluated_at_the_corners_of_each_visible_face() {
+    // A light four units above the corner + + + of a cube of two units, which is seen from straight ahead.
+    let over = dvec3(1.0, 1.0, 5.0);
+    let mut world = World::new();
+    let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(DVec3::ZERO), MATERIAL);
+    let derived = (place(at(DVec3::ZERO)), Normals::Face(DVec3::AXES));
+    world.insert(cuboid, derived).expect("it was spawned");
+    world.spawn((at(over), light(LightKind::Diffuse, 100.0)));
+    let view = ahead(Projection::Perspective, [8, 8]).shaded(ShadingMode::Gouraud);
+    let frame = run(&mut world, &view);
+    // The front face has the normal (0, 0, 1). At + + + n.l = 1, at - - + n.l = 4 / sqrt(4 + 4 + 16). kD is 0.5.
+    let [lower, .., upper, _] = read::<VertexColors>(&world, cuboid).of_face(4);
+    assert!(upper.abs_diff_eq(DVec3::splat(50.0), 1e-12), "{upper}");
+    let expected = DVec3::splat(50.0 * 4.0 / 24.0_f64.sqrt());
+    assert!(lower.abs_diff_eq(expected, 1e-12), "{lower}");
+    // The other five are not seen.
+    assert_eq!(frame.counts().model_evaluations, 4);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, dvec3};
 use hecs::World;
-use shadetrade::components::{Mesh, Normals, Projection, Transform};
+use shadetrade::components::{FACES, Mesh, NormalMode, Normals, Projection, Transform};
 use shadetrade::systems::normals;
 
 use super::{ahead, at, empty_frame, place, read, signs, turned};
@@ -12,11 +12,19 @@ use crate::support::random::Random;
 fn run<const N: usize>(cuboids: [(Transform, DVec3); N]) -> [[DVec3; 8]; N] {
     let mut world = World::new();
     let entities = cuboids.map(|(transform, size)| {
-        world.spawn((place(transform), Mesh::cuboid(size), Normals::default()))
+        world.spawn((
+            place(transform),
+            Mesh::cuboid(size),
+            NormalMode::Corner,
+            Normals::default(),
+        ))
     });
     let view = ahead(Projection::Perspective, [8, 8]);
     normals::run(&mut world, &view, &mut empty_frame());
-    entities.map(|entity| read::<Normals>(&world, entity).0)
+    entities.map(|entity| match read(&world, entity) {
+        Normals::Corner(normals) => normals,
+        Normals::Face(_) => panic!("the mode is that of corners"),
+    })
 }
 
 #[test]
@@ -48,5 +56,29 @@ fn normals_turn_with_their_own_cuboid_and_keep_their_length() {
         let [normals] = run([(turned(random.around(720.0)), dvec3(5.0, 1.0, 0.2))]);
         let mut errors = normals.iter().map(|normal| normal.length() - 1.0);
         assert!(errors.all(|error| error.abs() < 1e-14));
+    }
+}
+
+#[test]
+fn a_face_normal_is_perpendicular_to_the_edges_of_its_face_and_points_outwards() {
+    let mut random = Random(7);
+    for _ in 0..50 {
+        let (transform, size) = (turned(random.around(400.0)), dvec3(4.0, 3.0, 2.0));
+        let mut world = World::new();
+        let mesh = Mesh::cuboid(size);
+        let derived = (place(transform), mesh, NormalMode::Face, Normals::default());
+        let entity = world.spawn(derived);
+        let view = ahead(Projection::Perspective, [8, 8]);
+        normals::run(&mut world, &view, &mut empty_frame());
+        let normals: Normals = read(&world, entity);
+        let axes = place(transform).axes;
+        for (face, corners) in FACES.iter().enumerate() {
+            let [a, b, c, d] = corners.map(|corner| axes * mesh.corners[usize::from(corner)]);
+            for normal in normals.of_face(face) {
+                assert!((normal.length() - 1.0).abs() < 1e-12);
+                assert!(normal.dot(b - a).abs() < 1e-12 && normal.dot(d - a).abs() < 1e-12);
+                assert!(normal.dot(a + c) > 0.0);
+            }
+        }
     }
 }

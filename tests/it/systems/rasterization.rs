@@ -108,7 +108,8 @@ fn gouraud_draws_the_vertex_colours() {
         assert!(frame.levels().iter().all(|levels| levels[0] == 0.0), "dark");
         // The bottom has 0 levels, the top 100.
         for colors in world.query_mut::<&mut VertexColors>() {
-            colors.0 = std::array::from_fn(|corner| DVec3::X * [0.0, 100.0][corner >> 1 & 1]);
+            let level = |corner: usize| DVec3::X * [0.0, 100.0][corner >> 1 & 1];
+            *colors = VertexColors::Corner(std::array::from_fn(level));
         }
         rasterization::run(&mut world, &view, &mut frame);
         let drawn = frame.levels().iter().zip(frame.triangles()).enumerate();
