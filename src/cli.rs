@@ -23,8 +23,8 @@ use crate::components::ShadingMode;
 use crate::drawing::all_cores;
 use crate::output::Output;
 pub use commands::{
-    DEFAULT_FIGURES, ExtremesOptions, LessonOptions, ProbeOptions, ProveOptions, RenderOptions,
-    RequiresOptions, TradeOptions, ViewOptions,
+    DEFAULT_FIGURES, ExportOptions, ExtremesOptions, LessonOptions, ProbeOptions, ProveOptions,
+    RenderOptions, RequiresOptions, TradeOptions, ViewOptions,
 };
 pub use failure::Failure;
 
@@ -74,6 +74,14 @@ Examples:
         #[arg(short, long, value_name = "DIR", value_parser = commands::path(), default_value = DEFAULT_FIGURES)]
         output: PathBuf,
     },
+    /// Writes the cuboids as Wavefront OBJ with their materials, so that other programs draw the same scene
+    #[command(after_help = "\
+Examples:
+  shadetrade export -o cuboid.obj
+  shadetrade export my.toml --normals face -o my.obj
+
+The materials go into a file beside it that ends in .mtl; lights and the camera are comments.")]
+    Export(ExportOptions),
     /// Measures the time and the error of every shading method, and names the methods worth their time
     #[command(
         mut_arg("size", |argument| argument.default_value("1920x1080")),

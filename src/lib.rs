@@ -178,7 +178,7 @@
 //! ```text
 //! main
 //! cli          window       extremes
-//! prove        requires     pictures     probe
+//! prove        requires     pictures     probe      export
 //! trade
 //! drawing      metrics
 //! systems      reference
@@ -202,6 +202,7 @@
 pub mod cli;
 pub mod components;
 pub mod drawing;
+pub mod export;
 pub mod extremes;
 pub mod frame;
 pub mod memory;

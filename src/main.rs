@@ -9,7 +9,7 @@ use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, LessonOptions, ProbeOptions, ViewOptions,
 };
 use shadetrade::window::{self, NoDisplay};
-use shadetrade::{extremes, output, pictures, probe, prove, requires, trade};
+use shadetrade::{export, extremes, output, pictures, probe, prove, requires, trade};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -49,6 +49,10 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let least = options.output.as_ref();
             requires::command::run(&options.drawing.open(least)?, least, options.json)
         }
+        Command::Export(options) => export::run(
+            &options.drawing.open(Some(&options.output))?,
+            &options.path()?,
+        ),
         Command::Figures { output } => pictures::figures(&output),
         Command::Completions { shell } => cli::print_completions(shell),
     }?;

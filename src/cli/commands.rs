@@ -6,6 +6,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use anyhow::anyhow;
 use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 
@@ -78,6 +79,32 @@ pub struct RenderOptions {
     /// Draws with the f64 reference instead of the renderer, without use of --tolerance, --budget and --simd
     #[arg(long)]
     pub reference: bool,
+}
+
+/// The options of `export`.
+#[derive(Args, Debug)]
+pub struct ExportOptions {
+    /// The scene and the view.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// The OBJ file; the materials go into a file beside it that ends in .mtl
+    #[arg(short, long, value_name = "FILE", value_parser = file(&["obj"]))]
+    pub output: Output,
+}
+
+impl ExportOptions {
+    /// The path of the file.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] for standard output, which holds one file.
+    pub fn path(&self) -> Result<PathBuf, Failure> {
+        match &self.output {
+            Output::File(path) => Ok(path.clone()),
+            Output::Stdout => Err(Failure::Usage(anyhow!(
+                "export writes two files; -o takes a name"
+            ))),
+        }
+    }
 }
 
 /// The options of `trade`.

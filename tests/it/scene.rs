@@ -22,6 +22,7 @@ size = [1, 2, 4]
 position = [-1, +2, 3e2]
 rotation = [10, 20, -720]
 shading = "phong"
+normals = "face"
 material.ambient = [1, 2, 3]
 material.diffuse = [4, 5, 6]
 material.specular = [7, 8, 9]

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::{
-    LightKind, Material, Orbit, Projection, ShadingMode, Side, ViewMode, Viewer,
+    LightKind, Material, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, Viewer,
 };
 use shadetrade::scene::range::{
     Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Offset, OrbitAngle, Share,
@@ -50,6 +50,7 @@ pub fn cuboid(random: &mut Random) -> CuboidRecord {
     CuboidRecord {
         rotation: three(random, &Angle::RANGE),
         shading: random.one_of(&[ShadingMode::Gouraud, ShadingMode::Phong]),
+        normals: random.one_of(&NormalMode::ALL),
         material: Material {
             ambient,
             diffuse,

@@ -5,7 +5,7 @@ use std::io::Write as _;
 use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, ShadingMode, View, Viewer, names, ordered,
+    Camera, Light, LightKind, Material, NormalMode, ShadingMode, View, Viewer, names, ordered,
 };
 use shadetrade::scene::{BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
 
@@ -84,6 +84,7 @@ fn a_missing_key_has_the_documented_default() {
 fn every_key_is_read_and_integers_are_numbers() {
     let cuboid = CuboidRecord {
         rotation: DVec3::new(10.0, 20.0, -720.0),
+        normals: NormalMode::Face,
         material: material([1.0, 4.0, 7.0].map(|x| [x, x + 1.0, x + 2.0]), 0.0),
         ..records::cuboid("é", [1.0, 2.0, 4.0], [-1.0, 2.0, 300.0])
     };

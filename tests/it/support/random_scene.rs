@@ -3,7 +3,9 @@
 use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{LightKind, Material, NormalMode, Projection, ShadingMode, View, Viewer};
+use shadetrade::components::{
+    LightKind, Material, NormalMode, Projection, ShadingMode, View, Viewer,
+};
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 use super::random::Random;

@@ -4,8 +4,8 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::{Entity, World};
 use shadetrade::components::{
-    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, Normals, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
+    Camera, FileOrder, Light, LightKind, Material, Mesh, Name, NormalMode, Normals, Projected,
+    Projection, ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference::{Truth, picture};
@@ -39,6 +39,7 @@ pub fn spawn_cuboid(
         Mesh::cuboid(size),
         material,
         ShadingMode::Phong,
+        NormalMode::Corner,
         WorldTransform::default(),
         Normals::default(),
         VertexColors::default(),
