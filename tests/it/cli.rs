@@ -2,6 +2,7 @@
 //! and files.
 
 mod errors;
+mod export;
 #[cfg(unix)]
 mod faults;
 mod files;

@@ -5,7 +5,7 @@ use hecs::World;
 
 use super::*;
 use crate::components::{
-    Camera, FileOrder, Material, Mesh, Projection, ShadingMode, Transform, View,
+    Camera, FileOrder, Material, Mesh, NormalMode, Projection, ShadingMode, Transform, View,
 };
 use crate::reference::edge::EDGE;
 use crate::reference::interval::Interval;
@@ -43,6 +43,7 @@ fn spawn(world: &mut World, transform: Transform, size: DVec3) {
         Mesh::cuboid(size),
         material,
         ShadingMode::Phong,
+        NormalMode::Corner,
     ));
 }
 

@@ -11,7 +11,8 @@ use dashu_float::round::mode::HalfEven;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Light, LightKind, Material, Mesh, Projection, ShadingMode, TRIANGLES, Transform, View,
+    Light, LightKind, Material, Mesh, NormalMode, Projection, ShadingMode, TRIANGLES, Transform,
+    View,
 };
 
 /// A float of [`BITS`] bits.
@@ -85,7 +86,7 @@ fn unit(v: &Vector) -> Vector {
 /// A scene and a view of it.
 pub struct Scene<'a> {
     view: &'a View,
-    cuboids: Vec<([Corner; 8], Material, ShadingMode)>,
+    cuboids: Vec<([Corner; 8], Material, NormalMode, ShadingMode)>,
     lights: Vec<(Vector, Light)>,
     /// The view direction, and the change per pixel right and up of a direction (perspective) or a position
     /// (orthographic).
@@ -103,7 +104,8 @@ struct Corner {
 
 impl<'a> Scene<'a> {
     pub fn new(world: &World, view: &'a View) -> Self {
-        let mut cuboids = world.query::<(&Transform, &Mesh, &Material, &ShadingMode)>();
+        let mut cuboids =
+            world.query::<(&Transform, &Mesh, &Material, &NormalMode, &ShadingMode)>();
         let mut lights = world.query::<(&Transform, &Light)>();
         let camera = &view.camera;
         let forward = unit(&minus(&exact(camera.target), &exact(view.camera.position)));
@@ -121,9 +123,9 @@ impl<'a> Scene<'a> {
             view,
             cuboids: cuboids
                 .iter()
-                .map(|(transform, mesh, material, mode)| {
+                .map(|(transform, mesh, material, normals, mode)| {
                     let corners = mesh.corners.map(|corner| Corner::new(transform, corner));
-                    (corners, *material, *mode)
+                    (corners, *material, *normals, *mode)
                 })
                 .collect(),
             lights: lights
@@ -139,7 +141,7 @@ impl<'a> Scene<'a> {
 
     /// The levels of a face (cuboid * 6 + face) where the line of sight of a pixel intersects its plane.
     pub fn levels(&self, face: usize, [x, y]: [usize; 2]) -> Vector {
-        let (corners, material, mode) = &self.cuboids[face / 6];
+        let (corners, material, normals, mode) = &self.cuboids[face / 6];
         let [from, along] = self.sight(x, y);
         let triangles = [0, 1].map(|second| {
             TRIANGLES[2 * (face % 6) + second].map(|corner| &corners[usize::from(corner)])
@@ -170,6 +172,11 @@ impl<'a> Scene<'a> {
             let parts: [_; 3] = std::array::from_fn(|i| times(&of(corners[i]), &weights[i]));
             plus(&plus(&parts[0], &parts[1]), &parts[2])
         };
+        // The corners are counter-clockwise seen from outside.
+        let normal_of = |corner: &Corner| match normals {
+            NormalMode::Corner => corner.normal.clone(),
+            NormalMode::Face => unit(&across),
+        };
         let to_eye = |place: &Vector| match self.view.projection {
             Projection::Perspective => unit(&minus(&from, place)),
             Projection::Orthographic => self.forward.clone().map(Big::neg),
@@ -177,9 +184,9 @@ impl<'a> Scene<'a> {
         let lit =
             |place: &Vector, normal: &Vector| self.lit(material, place, normal, &to_eye(place));
         if self.view.shading.unwrap_or(*mode) == ShadingMode::Gouraud {
-            return blend(&|corner| lit(&corner.place, &corner.normal));
+            return blend(&|corner| lit(&corner.place, &normal_of(corner)));
         }
-        let normal = blend(&|corner| corner.normal.clone());
+        let normal = blend(&normal_of);
         let place = blend(&|corner| corner.place.clone());
         lit(&place, &unit(&normal))
     }

@@ -4,7 +4,7 @@ use glam::DVec3;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::Projection::{Orthographic, Perspective};
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
-use shadetrade::components::{Material, Projection, ShadingMode, Transform, overwrite};
+use shadetrade::components::{Material, NormalMode, Projection, ShadingMode, Transform, overwrite};
 use shadetrade::reference::Rule;
 use shadetrade::requires::{Change, Part};
 use shadetrade::scene::Scene;
@@ -223,4 +223,27 @@ fn an_undecided_part_is_required() {
         assert_eq!((change.largest_error[0], change.pixels), (0.0, 0));
         assert!(!change.keeps(0.5), "{part:?}: {change:?}");
     }
+}
+
+#[test]
+fn with_face_normals_a_face_towards_the_light_is_brighter_by_sqrt_3_than_under_corner_normals() {
+    let view = from_z(8.0, Perspective);
+    // n.l is 1 on the face, and 1 / sqrt(3) at its corners under corner normals.
+    let change_of = |mode| {
+        let scene = cubes(&[origin()], &[(Diffuse, 200.0, DVec3::Z * 1e13)], &view);
+        change(&shaded(mode, scene), &view, Part::CornerNormals(0))
+    };
+    let brighter = 200.0 * (1.0 - 1.0 / 3.0_f64.sqrt());
+    assert_error(change_of(Gouraud), brighter);
+    // Phong's normal is the face's in the middle of the face, and the corners' near them.
+    let [least, most] = change_of(Phong).largest_error;
+    assert!(
+        0.8 * brighter < least && most <= brighter + 1e-9,
+        "{least} to {most}"
+    );
+    // A cuboid that has face normals does not need others.
+    let mut sharp = cubes(&[origin()], &[], &view);
+    overwrite(&mut sharp.world, &NormalMode::Face);
+    let mut parts = shadetrade::requires::parts(&sharp).into_iter();
+    assert!(!parts.any(|(part, _)| matches!(part, Part::CornerNormals(_))));
 }

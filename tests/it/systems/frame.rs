@@ -3,8 +3,8 @@
 use glam::DVec3;
 use hecs::{Component, Entity, World};
 use shadetrade::components::{
-    FileOrder, Illumination, LightKind, Material, Mesh, Normals, Orbit, Projected, Projection,
-    ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite, viewer_mut,
+    FileOrder, Illumination, LightKind, Material, Mesh, NormalMode, Normals, Orbit, Projected,
+    Projection, ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite, viewer_mut,
 };
 use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
@@ -50,13 +50,14 @@ fn without<C: Component>(world: &mut World, entity: Entity) {
 }
 
 #[test]
-fn a_cuboid_that_lacks_a_component_is_drawn_only_without_its_transform() {
-    let removals: [Removal; 9] = [
+fn a_cuboid_that_lacks_a_component_is_drawn_only_without_transform_or_normal_mode() {
+    let removals: [Removal; 10] = [
         ("FileOrder", without::<FileOrder>),
         ("Transform", without::<Transform>),
         ("Mesh", without::<Mesh>),
         ("Material", without::<Material>),
         ("ShadingMode", without::<ShadingMode>),
+        ("NormalMode", without::<NormalMode>),
         ("WorldTransform", without::<WorldTransform>),
         ("Normals", without::<Normals>),
         ("VertexColors", without::<VertexColors>),
@@ -76,11 +77,12 @@ fn a_cuboid_that_lacks_a_component_is_drawn_only_without_its_transform() {
             .expect("it is there")
             .component_types()
             .count();
-        // Name is the tenth component. No system adds one.
-        assert_eq!(left, 9, "{component}");
-        // Without a transform it stays where it was placed last.
+        // Name is the eleventh component. No system adds one.
+        assert_eq!(left, 10, "{component}");
+        // It stays where it was placed last, or keeps its normals.
         let is_drawn = frame.counts().covered_pixels > 0;
-        assert_eq!(is_drawn, component == "Transform", "{component}");
+        let stays = ["Transform", "NormalMode"].contains(&component);
+        assert_eq!(is_drawn, stays, "{component}");
     }
 }
 

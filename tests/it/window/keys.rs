@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{Orbit, Projection, ShadingMode, Side, ViewMode};
+use shadetrade::components::{NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::inspector::Tab;
@@ -55,6 +55,7 @@ fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneReco
             switch(lights.iter().position(|own| *own == name).expect("a light"));
         }
         Action::Shading(mode) => record.cuboid[0].shading = mode,
+        Action::SharpEdges => record.cuboid[0].normals = NormalMode::Face,
         Action::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
         Action::Redo => record.cuboid[0].shading = ShadingMode::Phong,
         Action::Tolerance(way) => {

@@ -1,0 +1,85 @@
+//! The command `export`, read back by an independent reader of OBJ.
+
+use glam::DVec3;
+use shadetrade::components::{
+    FACES, Material, Mesh, NormalMode, TRIANGLES, Transform, in_file_order,
+};
+use shadetrade::scene::{self, Scene, SceneRecord};
+use tobj::{GPU_LOAD_OPTIONS, LoadOptions};
+
+use super::{assert_failed, assert_works, folder, listing, put, run};
+use crate::support::records;
+
+/// The default scene, with a second cuboid that is turned and has face normals.
+fn two() -> String {
+    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
+    let mut other = records::cuboid("a second, sharp", [1.0, 2.0, 0.3], [0.1, 5.0, 0.7]);
+    (other.rotation, other.normals) = (DVec3::new(10.0, 20.0, 30.0), NormalMode::Face);
+    record.cuboid.push(other);
+    scene::updated("", &record)
+}
+
+fn three(numbers: &[f64], index: u32) -> DVec3 {
+    DVec3::from_slice(&numbers[3 * index as usize..])
+}
+
+#[test]
+fn an_exported_scene_is_read_back_bit_for_bit() {
+    let folder = folder();
+    put(folder.path(), "two.toml", two());
+    let path = folder.path().join("two.toml");
+    assert_works(folder.path(), "export two.toml -o two.obj");
+    let file = folder.path().join("two.obj");
+    let (models, materials) = tobj::load_obj(&file, &LoadOptions::default()).expect("an OBJ file");
+    let materials = materials.expect("a material library");
+    let scene = Scene::load_path(&path).expect("a scene");
+    type Parts<'a> = (&'a Transform, &'a Mesh, &'a NormalMode, &'a Material);
+    let cuboids = in_file_order::<Parts, _>(&scene.world, |(at, mesh, mode, material)| {
+        (*at, *mesh, *mode, *material)
+    });
+    assert_eq!([models.len(), materials.len()], [2, 2]);
+    for ((model, library), (at, mesh, mode, material)) in models.iter().zip(&materials).zip(cuboids)
+    {
+        let (axes, read) = (at.axes(), &model.mesh);
+        assert_eq!(read.indices.len(), 36);
+        for (triangle, vertices) in TRIANGLES.iter().enumerate() {
+            for (corner, vertex) in vertices.map(usize::from).into_iter().enumerate() {
+                let index = 3 * triangle + corner;
+                let place = three(&read.positions, read.indices[index]);
+                assert_eq!(place, at.position + axes * mesh.corners[vertex]);
+                let normal = three(&read.normals, read.normal_indices[index]);
+                // The face's edges from its first corner, counter-clockwise seen from outside.
+                let [a, b, _, d] =
+                    FACES[triangle / 2].map(|it| axes * mesh.corners[usize::from(it)]);
+                let expected = match mode {
+                    NormalMode::Corner => axes * mesh.normals[vertex],
+                    NormalMode::Face => (b - a).cross(d - a).normalize(),
+                };
+                assert!(
+                    (normal - expected).length() < 1e-15,
+                    "{mode:?}: {normal} for {expected}"
+                );
+            }
+        }
+        let coefficients = [library.ambient, library.diffuse, library.specular];
+        let expected = [material.ambient, material.diffuse, material.specular];
+        assert_eq!(coefficients, expected.map(|it| Some(it.to_array())));
+        assert_eq!(library.shininess, Some(material.shininess));
+    }
+    assert_eq!(models[1].name, "a_second__sharp");
+    // An engine that knows one index a vertex reads the same.
+    assert!(tobj::load_obj(&file, &GPU_LOAD_OPTIONS).is_ok());
+}
+
+#[test]
+fn a_file_that_cannot_hold_the_result_is_refused() {
+    let folder = folder();
+    for (line, status, words) in [
+        ("export -o -", 2, "two files"),
+        ("export -o scene.toml", 2, "ends in .obj"),
+        ("export -o missing/cuboid.obj", 1, "missing"),
+    ] {
+        assert_failed(&run(folder.path(), line), status, words);
+    }
+    assert_eq!(listing(folder.path()), [""; 0]);
+}
