@@ -29,14 +29,14 @@ pub fn run(drawing: &Drawing, path: &Path) -> anyhow::Result<()> {
     let (record, view) = (SceneRecord::of(&drawing.scene.world), drawing.view());
     let names = names(&record);
     let file = library.file_name().map(one_line).unwrap_or_default();
-    let mut text = comments(drawing, &record, &view);
-    text += &format!("mtllib {file}\n");
+    let mut lines = comments(drawing, &record, &view);
+    lines.push(format!("mtllib {file}"));
     let mut firsts = [1, 1];
     for (cuboid, name) in record.cuboid.iter().zip(&names) {
-        object(&mut text, cuboid, name, view.turned, &mut firsts);
+        object(&mut lines, cuboid, name, view.turned, &mut firsts);
     }
-    Output::File(library.clone()).write(materials(&record, &names))?;
-    Output::File(path.to_owned()).write(text)?;
+    Output::File(library.clone()).write(text(&materials(&record, &names)))?;
+    Output::File(path.to_owned()).write(text(&lines))?;
     let cuboids = counted(record.cuboid.len(), "cuboid");
     say(&format!(
         "wrote {cuboids} to {}, the materials to {}",
@@ -53,7 +53,7 @@ fn names(record: &SceneRecord) -> Vec<String> {
     for (number, cuboid) in record.cuboid.iter().enumerate() {
         let mut name = cuboid.name.replace(|letter| !legal(letter), "_");
         if name.is_empty() || names.contains(&name) {
-            name += &format!("_{}", number + 1);
+            name = format!("{name}_{}", number + 1);
         }
         names.push(name);
     }
@@ -66,47 +66,46 @@ fn three(vector: DVec3) -> String {
     format!(" {x} {y} {z}")
 }
 
+fn text(lines: &[String]) -> String {
+    lines.join("\n") + "\n"
+}
+
 /// The scene, its camera and its lights.
-fn comments(drawing: &Drawing, record: &SceneRecord, view: &View) -> String {
+fn comments(drawing: &Drawing, record: &SceneRecord, view: &View) -> Vec<String> {
     let camera = &view.camera;
-    let mut text = format!(
-        "# shadetrade: {}\n# camera {}: {}, position{}, target{}, up{}, fov {} (vertical, degrees), height {}, near {}\n",
-        one_line(&drawing.scene.name),
-        one_line(camera_name(&drawing.scene.world)),
-        view.projection.name(),
-        three(camera.position),
-        three(camera.target),
-        three(camera.up),
-        camera.fov,
-        camera.height,
-        camera.near(),
-    );
-    text += &format!("# background{} (levels of 255)\n", three(record.background));
+    let mut lines = vec![
+        format!("# shadetrade: {}", one_line(&drawing.scene.name)),
+        format!(
+            "# camera {}: {}, position{}, target{}, up{}, fov {} (vertical, degrees), height {}, near {}",
+            one_line(camera_name(&drawing.scene.world)),
+            view.projection.name(),
+            three(camera.position),
+            three(camera.target),
+            three(camera.up),
+            camera.fov,
+            camera.height,
+            camera.near(),
+        ),
+        format!("# background{} (levels of 255)", three(record.background)),
+    ];
     for light in record.light.iter().filter(|light| light.on) {
-        let levels = light.color * light.intensity * light.gain;
+        let kind = match light.kind {
+            LightKind::Ambient => "ambient",
+            LightKind::Diffuse => "diffuse",
+            LightKind::Specular => "specular",
+        };
+        let levels = three(light.color * light.intensity * light.gain);
         let place = light.position.map(|at| format!(", position{}", three(at)));
-        text += &format!(
-            "# light {}: {}, levels{}{}\n",
-            one_line(&light.name),
-            kind(light.kind),
-            three(levels),
-            place.unwrap_or_default(),
-        );
+        let place = place.unwrap_or_default();
+        let name = one_line(&light.name);
+        lines.push(format!("# light {name}: {kind}, levels{levels}{place}"));
     }
-    text
+    lines
 }
 
-fn kind(kind: LightKind) -> &'static str {
-    match kind {
-        LightKind::Ambient => "ambient",
-        LightKind::Diffuse => "diffuse",
-        LightKind::Specular => "specular",
-    }
-}
-
-/// Writes a cuboid. `firsts` are the numbers of its first corner and of its first normal.
+/// Adds a cuboid. `corner` and `normal` are the numbers of its first corner and of its first normal.
 fn object(
-    text: &mut String,
+    lines: &mut Vec<String>,
     cuboid: &CuboidRecord,
     name: &str,
     turned: u32,
@@ -122,40 +121,37 @@ fn object(
             .map(|face| axes.col(face / 2) * outward_sign(face))
             .collect(),
     };
-    *text += &format!("o {name}\nusemtl {name}\n");
-    for corner in corners {
-        *text += &format!("v{}\n", three(corner));
-    }
-    for normal in &normals {
-        *text += &format!("vn{}\n", three(*normal));
-    }
+    lines.extend([format!("o {name}"), format!("usemtl {name}")]);
+    lines.extend(corners.iter().map(|it| format!("v{}", three(*it))));
+    lines.extend(normals.iter().map(|it| format!("vn{}", three(*it))));
     for (triangle, vertices) in TRIANGLES.iter().enumerate() {
-        *text += "f";
-        for vertex in vertices.map(usize::from) {
+        let [a, b, c] = vertices.map(|vertex| {
+            let vertex = usize::from(vertex);
             let own = match cuboid.normals {
                 NormalMode::Corner => vertex,
                 NormalMode::Face => triangle / 2,
             };
-            *text += &format!(" {}//{}", *corner + vertex, *normal + own);
-        }
-        *text += "\n";
+            format!("{}//{}", *corner + vertex, *normal + own)
+        });
+        lines.push(format!("f {a} {b} {c}"));
     }
     *corner += corners.len();
     *normal += normals.len();
 }
 
-/// The material library.
-fn materials(record: &SceneRecord, names: &[String]) -> String {
-    let mut text = String::new();
-    for (cuboid, name) in record.cuboid.iter().zip(names) {
+/// The lines of the material library.
+fn materials(record: &SceneRecord, names: &[String]) -> Vec<String> {
+    let materials = record.cuboid.iter().zip(names);
+    let materials = materials.flat_map(|(cuboid, name)| {
         let it = &cuboid.material;
-        text += &format!(
-            "newmtl {name}\nKa{}\nKd{}\nKs{}\nNs {}\nillum 2\n",
-            three(it.ambient),
-            three(it.diffuse),
-            three(it.specular),
-            it.shininess
-        );
-    }
-    text
+        [
+            format!("newmtl {name}"),
+            format!("Ka{}", three(it.ambient)),
+            format!("Kd{}", three(it.diffuse)),
+            format!("Ks{}", three(it.specular)),
+            format!("Ns {}", it.shininess),
+            "illum 2".to_owned(),
+        ]
+    });
+    materials.collect()
 }

@@ -10,6 +10,8 @@ use tobj::{GPU_LOAD_OPTIONS, LoadOptions};
 use super::{assert_failed, assert_works, folder, listing, put, run};
 use crate::support::records;
 
+type Parts<'a> = (&'a Transform, &'a Mesh, &'a NormalMode, &'a Material);
+
 /// The default scene, with a second cuboid that is turned and has face normals.
 fn two() -> String {
     let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
@@ -33,7 +35,6 @@ fn an_exported_scene_is_read_back_bit_for_bit() {
     let (models, materials) = tobj::load_obj(&file, &LoadOptions::default()).expect("an OBJ file");
     let materials = materials.expect("a material library");
     let scene = Scene::load_path(&path).expect("a scene");
-    type Parts<'a> = (&'a Transform, &'a Mesh, &'a NormalMode, &'a Material);
     let cuboids = in_file_order::<Parts, _>(&scene.world, |(at, mesh, mode, material)| {
         (*at, *mesh, *mode, *material)
     });
