@@ -96,7 +96,8 @@ impl Case {
         CuboidRecord {
             rotation: random.around(400.0),
             shading: self.mode,
-            normals: NormalMode::ALL[usize::from((self.seed >> (20 + 2 * index)) % 4 == 0)],
+            normals: NormalMode::ALL
+                [usize::from((self.seed >> (20 + 2 * index)).is_multiple_of(4))],
             material: Material {
                 ambient: DVec3::new(0.1, 0.2, 0.3),
                 diffuse: DVec3::new(0.9, 0.6, 0.3),
