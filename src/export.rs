@@ -60,9 +60,9 @@ fn names(record: &SceneRecord) -> Vec<String> {
     names
 }
 
-/// Three numbers with a blank before each.
+/// Three numbers with a blank before each; -0 is 0.
 fn three(vector: DVec3) -> String {
-    let [x, y, z] = vector.to_array();
+    let [x, y, z] = (vector + DVec3::ZERO).to_array();
     format!(" {x} {y} {z}")
 }
 
