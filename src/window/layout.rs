@@ -85,9 +85,7 @@ impl App {
     /// Lays out the inspector over the picture, on the side where it does not hide the explained pixel.
     fn drawer(&mut self, ui: &Ui, usual: f32) {
         let place = self.canvas.place;
-        let is_left = self
-            .pixel()
-            .is_some_and(|it| self.canvas.place_of(it).x > place.center().x);
+        let is_left = self.pixel().is_some_and(|it| self.canvas.is_right(it));
         let (pivot, corner) = if is_left {
             (Align2::LEFT_TOP, place.left_top())
         } else {

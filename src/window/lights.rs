@@ -1,7 +1,7 @@
 //! The lights over the picture: discs of those in sight, which can be dragged, and the vectors at the probed pixel.
 
 use egui::emath::round_to_decimals;
-use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
+use egui::{Align, Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 use hecs::World;
 
@@ -107,7 +107,7 @@ pub fn drag_light(world: &mut World, view: &View, name: &str, by: Vec2) {
     }
 }
 
-/// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view, and a legend in the
+/// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view, and a legend in a
 /// corner of the picture.
 pub fn draw_arrows(
     painter: &egui::Painter,
@@ -115,15 +115,22 @@ pub fn draw_arrows(
     surface: &ProbedSurface,
     world: &World,
     canvas: &Canvas,
+    corner: Align2,
 ) {
     let [right, up, _] = Camera::of(world, active_camera(world)).axes();
-    let mut row = canvas.place.right_bottom() - vec2(10.0, 14.0);
+    let mut row = corner.pos_in_rect(&canvas.place.shrink2(vec2(10.0, 14.0)));
+    let step = if corner.y() == Align::TOP {
+        20.0
+    } else {
+        -20.0
+    };
+    let align = Align2([corner.x(), Align::Center]);
     let mut arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
         let Some(vector) = vector else {
             return;
         };
-        tag(painter, Align2::RIGHT_CENTER, row, name, ink);
-        row.y -= 20.0;
+        tag(painter, align, row, name, ink);
+        row.y += step;
         let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32) * UNIT;
         for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
             painter.arrow(at, way, (width, ink));

@@ -90,7 +90,14 @@ impl App {
             let probed = study.facts.probed(Some(pixel));
             let probed = probed.filter(|_| section.is_current);
             if let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) {
-                draw_arrows(ui.painter(), at, surface, world, canvas);
+                // The drawer is open on the side away from the pixel, and the legend of squares and errors on the left below.
+                let is_hidden = !desk.has_room && desk.tab.is_some() && !canvas.is_right(pixel);
+                let corner = match viewer.show {
+                    _ if !is_hidden => Align2::RIGHT_BOTTOM,
+                    ViewMode::Error | ViewMode::Tiles => Align2::LEFT_TOP,
+                    _ => Align2::LEFT_BOTTOM,
+                };
+                draw_arrows(ui.painter(), at, surface, world, canvas, corner);
             }
             draw_cross(ui.painter(), at);
         }
