@@ -75,7 +75,13 @@ Examples:
         output: PathBuf,
     },
     /// Writes the cuboids as Wavefront OBJ with their materials, so that other programs draw the same scene
-    #[command(after_help = "\
+    #[command(
+        mut_arg("size", |argument| argument.hide(true)),
+        mut_arg("shading", |argument| argument.hide(true)),
+        mut_arg("tolerance", |argument| argument.hide(true)),
+        mut_arg("simd", |argument| argument.hide(true)),
+        mut_arg("threads", |argument| argument.hide(true)),
+        after_help = "\
 Examples:
   shadetrade export -o cuboid.obj
   shadetrade export my.toml --normals face -o my.obj

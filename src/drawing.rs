@@ -9,7 +9,7 @@ use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 
-use crate::components::{Name, ShadingMode, View, active_camera, common_mode, get};
+use crate::components::{Name, NormalMode, ShadingMode, View, active_camera, common_mode, get};
 use crate::frame::Workers;
 use crate::output::{one_line, say};
 use crate::scene::Scene;
@@ -40,16 +40,28 @@ impl Drawing {
         common_mode(&self.scene.world).map_or("scene", ShadingMode::name)
     }
 
+    /// The normals in words; nothing if all are corner normals.
+    pub fn normals(&self) -> &'static str {
+        let mut query = self.scene.world.query::<&NormalMode>();
+        let modes: Vec<&NormalMode> = query.iter().collect();
+        match modes.iter().filter(|it| ***it == NormalMode::Face).count() {
+            0 => "",
+            sharp if sharp == modes.len() => ", face normals",
+            _ => ", corner and face normals",
+        }
+    }
+
     /// The picture in words: scene, camera, projection, size, shading and tolerance.
     pub fn subject(&self) -> String {
         let view = self.view();
         let [width, height] = view.size;
         format!(
-            "{}, camera {}, {}, {width}x{height}, {}, tolerance {}",
+            "{}, camera {}, {}, {width}x{height}, {}{}, tolerance {}",
             one_line(&self.scene.name),
             camera_name(&self.scene.world),
             view.projection.name(),
             self.mode(),
+            self.normals(),
             view.tolerance
         )
     }

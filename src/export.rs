@@ -6,9 +6,8 @@
 //! ```
 //! OBJ has neither lights nor cameras, so those are comments. Each number is the shortest that is read back as the same f64.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use anyhow::ensure;
 use glam::DVec3;
 
 use crate::components::{
@@ -19,13 +18,18 @@ use crate::output::{Output, one_line, say};
 use crate::report::words::counted;
 use crate::scene::{CuboidRecord, SceneRecord};
 
-/// Writes the cuboids of a drawing into `path` and their materials beside it, with the ending .mtl.
+/// The file of the materials: beside the OBJ file, with the ending .mtl and a name without blanks, at which readers split.
+pub fn library(path: &Path) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    path.with_file_name(without_blanks(&stem) + ".mtl")
+}
+
+/// Writes the cuboids of a drawing into `path`, and their materials into its [`library`].
 ///
 /// # Errors
-/// If `path` ends in .mtl itself, or a file cannot be written.
+/// If a file cannot be written.
 pub fn run(drawing: &Drawing, path: &Path) -> anyhow::Result<()> {
-    let library = path.with_extension("mtl");
-    ensure!(library != path, "the materials go into {}", one_line(path));
+    let library = library(path);
     let (record, view) = (SceneRecord::of(&drawing.scene.world), drawing.view());
     let names = names(&record);
     let file = library.file_name().map(one_line).unwrap_or_default();
@@ -46,22 +50,28 @@ pub fn run(drawing: &Drawing, path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Names without blanks, which OBJ does not allow. Each is another one.
-fn names(record: &SceneRecord) -> Vec<String> {
+fn without_blanks(name: &str) -> String {
     let legal = |letter: char| letter.is_alphanumeric() || "-_.".contains(letter);
-    let mut names = Vec::new();
-    for (number, cuboid) in record.cuboid.iter().enumerate() {
-        let mut name = cuboid.name.replace(|letter| !legal(letter), "_");
-        if name.is_empty() || names.contains(&name) {
-            name = format!("{name}_{}", number + 1);
-        }
-        names.push(name);
+    name.replace(|letter| !legal(letter), "_")
+}
+
+/// Names without blanks, each another one.
+fn names(record: &SceneRecord) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for cuboid in &record.cuboid {
+        let own = without_blanks(&cuboid.name);
+        let numbered = (2..).map(|number| format!("{own}_{number}"));
+        let free = [own.clone()].into_iter().chain(numbered);
+        names.extend(
+            free.filter(|name| !name.is_empty())
+                .find(|name| !names.contains(name)),
+        );
     }
     names
 }
 
-/// Three numbers with a blank before each; -0 is 0.
-fn three(vector: DVec3) -> String {
+/// The numbers of a vector with a blank before each; -0 is 0.
+fn numbers(vector: DVec3) -> String {
     let [x, y, z] = (vector + DVec3::ZERO).to_array();
     format!(" {x} {y} {z}")
 }
@@ -79,14 +89,14 @@ fn comments(drawing: &Drawing, record: &SceneRecord, view: &View) -> Vec<String>
             "# camera {}: {}, position{}, target{}, up{}, fov {} (vertical, degrees), height {}, near {}",
             one_line(camera_name(&drawing.scene.world)),
             view.projection.name(),
-            three(camera.position),
-            three(camera.target),
-            three(camera.up),
+            numbers(camera.position),
+            numbers(camera.target),
+            numbers(camera.up),
             camera.fov,
             camera.height,
             camera.near(),
         ),
-        format!("# background{} (levels of 255)", three(record.background)),
+        format!("# background{} (levels of 255)", numbers(record.background)),
     ];
     for light in record.light.iter().filter(|light| light.on) {
         let kind = match light.kind {
@@ -94,8 +104,10 @@ fn comments(drawing: &Drawing, record: &SceneRecord, view: &View) -> Vec<String>
             LightKind::Diffuse => "diffuse",
             LightKind::Specular => "specular",
         };
-        let levels = three(light.color * light.intensity * light.gain);
-        let place = light.position.map(|at| format!(", position{}", three(at)));
+        let levels = numbers(light.color * light.intensity * light.gain);
+        let place = light
+            .position
+            .map(|at| format!(", position{}", numbers(at)));
         let place = place.unwrap_or_default();
         let name = one_line(&light.name);
         lines.push(format!("# light {name}: {kind}, levels{levels}{place}"));
@@ -121,9 +133,11 @@ fn object(
             .map(|face| axes.col(face / 2) * outward_sign(face))
             .collect(),
     };
+    let shading = cuboid.shading.name();
+    lines.push(format!("# the next is shaded by {shading}"));
     lines.extend([format!("o {name}"), format!("usemtl {name}")]);
-    lines.extend(corners.iter().map(|it| format!("v{}", three(*it))));
-    lines.extend(normals.iter().map(|it| format!("vn{}", three(*it))));
+    lines.extend(corners.iter().map(|it| format!("v{}", numbers(*it))));
+    lines.extend(normals.iter().map(|it| format!("vn{}", numbers(*it))));
     for (triangle, vertices) in TRIANGLES.iter().enumerate() {
         let [a, b, c] = vertices.map(|vertex| {
             let vertex = usize::from(vertex);
@@ -146,9 +160,9 @@ fn materials(record: &SceneRecord, names: &[String]) -> Vec<String> {
         let it = &cuboid.material;
         [
             format!("newmtl {name}"),
-            format!("Ka{}", three(it.ambient)),
-            format!("Kd{}", three(it.diffuse)),
-            format!("Ks{}", three(it.specular)),
+            format!("Ka{}", numbers(it.ambient)),
+            format!("Kd{}", numbers(it.diffuse)),
+            format!("Ks{}", numbers(it.specular)),
             format!("Ns {}", it.shininess),
             "illum 2".to_owned(),
         ]

@@ -49,10 +49,10 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let least = options.output.as_ref();
             requires::command::run(&options.drawing.open(least)?, least, options.json)
         }
-        Command::Export(options) => export::run(
-            &options.drawing.open(Some(&options.output))?,
-            &options.path()?,
-        ),
+        Command::Export(options) => {
+            let (drawing, path) = options.open()?;
+            export::run(&drawing, path)
+        }
         Command::Figures { output } => pictures::figures(&output),
         Command::Completions { shell } => cli::print_completions(shell),
     }?;

@@ -101,10 +101,12 @@ pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     let mut parts = Vec::new();
     parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", it.name))));
     parts.push(rule(Rule::SpecularGate, "specular gate"));
-    parts.push(rule(Rule::UnitNormal, "unit normal"));
-    let smooth = cuboids().filter(|(_, it)| it.normals == NormalMode::Corner);
+    let smooth = || cuboids().filter(|(_, it)| it.normals == NormalMode::Corner);
+    if smooth().next().is_some() {
+        parts.push(rule(Rule::UnitNormal, "unit normal"));
+    }
     let name = |name: &str| format!("corner normals {name}");
-    parts.extend(smooth.map(|(i, it)| (Part::CornerNormals(i), name(&it.name))));
+    parts.extend(smooth().map(|(i, it)| (Part::CornerNormals(i), name(&it.name))));
     parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", it.name))));
     let name = "perspective-correct interpolation";
     parts.push(rule(Rule::PerspectiveCorrect, name));

@@ -13,6 +13,7 @@ use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser}
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::drawing::Drawing;
+use crate::export;
 use crate::output::Output;
 use crate::prove::{PngPicture, read_png};
 use crate::scene::Scene;
@@ -93,17 +94,19 @@ pub struct ExportOptions {
 }
 
 impl ExportOptions {
-    /// The path of the file.
+    /// The scene, and the path of the file.
     ///
     /// # Errors
-    /// [`Failure::Usage`] for standard output, which holds one file.
-    pub fn path(&self) -> Result<PathBuf, Failure> {
-        match &self.output {
-            Output::File(path) => Ok(path.clone()),
-            Output::Stdout => Err(Failure::Usage(anyhow!(
-                "export writes two files; -o takes a name"
-            ))),
-        }
+    /// As [`DrawingOptions::open`]. [`Failure::Usage`] for standard output, which holds one file.
+    pub fn open(&self) -> Result<(Drawing, &Path), Failure> {
+        let Output::File(path) = &self.output else {
+            let error = anyhow!("export writes two files; -o takes a name");
+            return Err(Failure::Usage(error));
+        };
+        let drawing = self.drawing.open(Some(&self.output))?;
+        let library = Output::File(export::library(path));
+        options::check_output(drawing.scene.path.as_deref(), Some(&library))?;
+        Ok((drawing, path))
     }
 }
 
@@ -217,7 +220,7 @@ pub struct RequiresOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The file for the least scene that keeps the tolerance: lights, cuboids and Phong are left out together
+    /// The file for the least scene that keeps the tolerance: lights, cuboids, Phong and corner normals are left out together
     #[arg(short, long, value_name = "FILE", value_parser = file(&["toml"]))]
     pub output: Option<Output>,
     /// Prints one JSON object instead of text

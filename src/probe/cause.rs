@@ -39,9 +39,15 @@ impl ProbedSurface {
             let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
             let cause = "Interpolated unit vectors are too short";
             let length = sample.normal_length;
+            // Face normals keep their length; l and o do not.
+            let shorter = if length < 0.995 {
+                format!("n has length {length:.2} here")
+            } else {
+                "l and o are shorter than 1 here".to_owned()
+            };
             return Some([
                 format!("{cause}: {drawn} instead of {exact} in {color}."),
-                format!("n has length {length:.2} here, so n.l and o.r are no cosines."),
+                format!("{shorter}, so n.l and o.r are no cosines."),
             ]);
         }
         let difference =

@@ -8,7 +8,7 @@ pub enum Rule {
     SpecularGate,
     /// Phong's n is normalised after interpolation. Without the rule n is the affine combination of the unit normals of
     /// the corners, which is shorter than 1 inside a face, and r = 2 (n.l) n - l is no unit vector either. Gouraud is
-    /// not affected, because it does not interpolate n.
+    /// not affected, because it does not interpolate n; nor are face normals, which are the same all over a face.
     UnitNormal,
     /// Positions and normals (Phong) or levels (Gouraud) are interpolated on the triangle. Without the rule they are
     /// affine functions of the pixel: the corners' weights a, b, c become a za, b zb, c zc over their sum. A corner

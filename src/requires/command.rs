@@ -80,7 +80,7 @@ fn write_least(
     rows.retain(|row| left_out.contains(&row.part));
     let names: Vec<String> = rows.into_iter().map(|row| row.name).collect();
     let found = if names.is_empty() {
-        "no light, cuboid or Phong shading can be left out".to_owned()
+        "no light, cuboid, Phong shading or corner normals can be left out".to_owned()
     } else {
         let (names, most) = (names.join(", "), (1e4 * change.most()).ceil() / 1e4);
         format!("left out: {names}; errs by at most {most} levels, proven")

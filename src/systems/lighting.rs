@@ -1,7 +1,7 @@
 //! Collects the lights that are on, and computes the vertex colours of Gouraud shading.
 //!
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed only for cuboids
-//! with Gouraud shading.
+//! with Gouraud shading: at the eight corners, or with face normals at the four corners of each visible face.
 
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;

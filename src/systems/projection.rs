@@ -14,7 +14,9 @@ use glam::DVec3;
 use hecs::World;
 
 use self::frustum::Frustum;
-use crate::components::{FACES, Lens, Mesh, Projected, Projection, View, WorldTransform};
+use crate::components::{
+    FACES, Lens, Mesh, Projected, Projection, View, WorldTransform, outward_sign,
+};
 use crate::frame::Frame;
 use crate::shading::face::Rays;
 
@@ -50,8 +52,7 @@ pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: 
     for (index, polygon) in projected.polygons.iter_mut().enumerate() {
         let corners = FACES[index].map(usize::from);
         let axis = index / 2;
-        let outwards = if index % 2 == 0 { 1.0 } else { -1.0 };
-        let is_front = outwards * eye_side[axis] > half[axis];
+        let is_front = outward_sign(index) * eye_side[axis] > half[axis];
         if !is_front {
             polygon.len = 0;
         } else if let Some(snapped) = &snapped {

@@ -18,6 +18,7 @@ impl App {
         let has_field = ui.ctx().text_edit_focused();
         let has_focus = ui.memory(|memory| memory.focused().is_some());
         let events = ui.input(|input| input.events.clone());
+        let mut has_run = false;
         for event in events {
             let Event::Key {
                 key,
@@ -43,7 +44,12 @@ impl App {
                 || self.desk.takes_escape && action == Action::Close;
             if pressed && !is_taken && (!repeat || goes_on(action)) {
                 self.run(action);
+                has_run = true;
             }
+        }
+        if has_run {
+            // The panels show the state after the keys.
+            self.note_changes();
         }
     }
 
@@ -56,7 +62,7 @@ impl App {
                 self.desk.say_any(controls::switch_light_named(world, name));
             }
             Action::Shading(mode) => controls::shade(world, mode),
-            Action::SharpEdges => controls::switch_edges(world),
+            Action::FaceNormals => controls::switch_normals(world),
             Action::Tolerance(steps) => self.desk.say_any(self.choice.step(world, steps)),
             Action::HoldTime => self.choice.switch(world, &self.study.facts),
             Action::NextProjection => controls::next_projection(world),

@@ -225,6 +225,7 @@ impl App {
                 self.document.keep(now, true);
                 self.desk.file_error = None;
                 let message = self.document.reload(scene);
+                self.note_changes();
                 self.desk.say(message);
             }
             Some(Err(error)) => self.desk.file_error = Some(error),

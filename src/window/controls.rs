@@ -46,14 +46,14 @@ pub fn shade(world: &mut World, mode: ShadingMode) {
 }
 
 /// Whether every cuboid has face normals.
-pub fn has_sharp_edges(world: &World) -> bool {
+pub fn has_face_normals(world: &World) -> bool {
     let mut modes = world.query::<&NormalMode>();
     modes.iter().all(|mode| *mode == NormalMode::Face)
 }
 
 /// Gives every cuboid face normals, or corner normals if all have face normals.
-pub fn switch_edges(world: &mut World) {
-    let normals = NormalMode::ALL[usize::from(!has_sharp_edges(world))];
+pub fn switch_normals(world: &mut World) {
+    let normals = NormalMode::ALL[usize::from(!has_face_normals(world))];
     overwrite(world, &normals);
 }
 

@@ -17,7 +17,7 @@ pub enum Action {
     /// Shades every cuboid in this mode.
     Shading(ShadingMode),
     /// Gives every cuboid face normals, or corner normals again.
-    SharpEdges,
+    FaceNormals,
     /// Goes to the next tolerance of [`TOLERANCES`]: a coarser one if positive.
     Tolerance(i32),
     /// Holds the time of a frame, or the error again.
@@ -92,7 +92,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
     ("Shading", &[
         ("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Action::Shading(ShadingMode::Gouraud))]),
         ("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
-        ("sharp edges", "Each face has its own normal, or the faces at a corner share one and edges look smooth.", &[(NO, Key::X, Action::SharpEdges)]),
+        ("face normals", "Each face has its own normal: edges are sharp. Else the faces at a corner share one, and edges look smooth.", &[(NO, Key::X, Action::FaceNormals)]),
         ("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
         ("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Action::Tolerance(1)), (NO, Key::PageUp, Action::Tolerance(1))]),
         ("hold the time", "Draws by the most exact method whose frames keep a budget of time.", &[(NO, Key::M, Action::HoldTime)]),

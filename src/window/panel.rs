@@ -8,7 +8,7 @@ use hecs::{Entity, World};
 use super::app::App;
 use super::chart::chart;
 use super::choice::{Choice, budget_rows};
-use super::controls::{has_sharp_edges, set_tolerance};
+use super::controls::{has_face_normals, set_tolerance};
 use super::desk::{Command, Desk};
 use super::document::Document;
 use super::facts::Facts;
@@ -73,7 +73,7 @@ fn shading_rows(
         for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
             offer(ui, desk, Action::Shading(mode), shading == Some(mode));
         }
-        offer(ui, desk, Action::SharpEdges, has_sharp_edges(world));
+        offer(ui, desk, Action::FaceNormals, has_face_normals(world));
     });
     budget_rows(ui, world, choice, facts, time, desk);
     let Viewer {

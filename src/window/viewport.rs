@@ -144,7 +144,7 @@ fn move_camera(ui: &Ui, picture: &Response, world: &mut World, canvas: &Canvas) 
         };
         let turned: f32 = ui.input(|input| input.events.iter().map(turned).sum());
         if turned.round() != 0.0 {
-            limit = zoom(world, turned.round() as i32);
+            limit = zoom(world, turned.round() as i32).or(limit);
         }
     }
     limit

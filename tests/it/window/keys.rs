@@ -55,7 +55,7 @@ fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneReco
             switch(lights.iter().position(|own| *own == name).expect("a light"));
         }
         Action::Shading(mode) => record.cuboid[0].shading = mode,
-        Action::SharpEdges => record.cuboid[0].normals = NormalMode::Face,
+        Action::FaceNormals => record.cuboid[0].normals = NormalMode::Face,
         Action::Undo => record.cuboid[0].shading = ShadingMode::Gouraud,
         Action::Redo => record.cuboid[0].shading = ShadingMode::Phong,
         Action::Tolerance(way) => {
