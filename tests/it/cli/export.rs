@@ -7,7 +7,7 @@ use shadetrade::components::{
 use shadetrade::scene::{self, Scene, SceneRecord};
 use tobj::{GPU_LOAD_OPTIONS, LoadOptions};
 
-use super::{assert_failed, assert_works, folder, listing, put, run};
+use super::{SCENE, assert_failed, assert_works, cube, folder, get, listing, put, run, shadetrade};
 use crate::support::records;
 
 type Parts<'a> = (&'a Transform, &'a Mesh, &'a NormalMode, &'a Material);
@@ -70,6 +70,40 @@ fn an_exported_scene_is_read_back_bit_for_bit() {
     assert_eq!(models[1].name, "a_second__sharp");
     // An engine that knows one index a vertex reads the same.
     assert!(tobj::load_obj(&file, &GPU_LOAD_OPTIONS).is_ok());
+}
+
+#[test]
+fn each_object_has_a_name_of_its_own_and_the_library_one_without_blanks() {
+    let folder = folder();
+    let cubes = ["a b", "a_b_2", "a,b"].map(|name| cube(name, [0.0; 3]));
+    let camera = "[[camera]]\nname = \"1\"\nposition = [0, 0, 9]\ntarget = [0, 0, 0]\nfov = 30\nheight = 6\n";
+    put(folder.path(), "three.toml", cubes.concat() + camera);
+    let file = folder.path().join("my boxes.obj");
+    let output = shadetrade(folder.path())
+        .args(["export", "three.toml", "-o", "my boxes.obj"])
+        .output();
+    assert!(output.expect("the program starts").status.success());
+    let (models, materials) = tobj::load_obj(&file, &LoadOptions::default()).expect("an OBJ file");
+    let names: Vec<&str> = models.iter().map(|model| &*model.name).collect();
+    assert_eq!(names, ["a_b", "a_b_2", "a_b_3"]);
+    let materials = materials.expect("a material library").into_iter();
+    assert_eq!(materials.map(|it| it.name).collect::<Vec<_>>(), names);
+    assert_eq!(
+        listing(folder.path()),
+        ["my boxes.obj", "my_boxes.mtl", "three.toml"]
+    );
+}
+
+#[test]
+fn the_library_does_not_replace_the_scene() {
+    let folder = folder();
+    put(folder.path(), "x.mtl", SCENE);
+    assert_failed(
+        &run(folder.path(), "export x.mtl -o x.obj"),
+        2,
+        "x.mtl|input",
+    );
+    assert_eq!(get(folder.path(), "x.mtl"), SCENE.as_bytes());
 }
 
 #[test]
