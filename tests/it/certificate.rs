@@ -75,7 +75,8 @@ fn no_pixel_exceeds_its_tolerance_and_every_kind_of_square_comes_near_it() {
             _ => most[kind as usize] > 0.15,
         };
         assert!(is_tight, "{kind:?} is too loose: {most:?}");
-        let is_seen = pixels[kind as usize] > 50 * scenes || kind == SquareKind::Highlight;
+        // A quarter of the cuboids have face normals; most of their squares are linear.
+        let is_seen = pixels[kind as usize] > 40 * scenes || kind == SquareKind::Highlight;
         assert!(is_seen, "{kind:?}: {pixels:?}");
     }
 }
