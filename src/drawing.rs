@@ -9,7 +9,9 @@ use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
 
-use crate::components::{Name, NormalMode, ShadingMode, View, active_camera, common_mode, get};
+use crate::components::{
+    Name, NormalMode, ShadingMode, View, active_camera, common, common_mode, get,
+};
 use crate::frame::Workers;
 use crate::output::{one_line, say};
 use crate::scene::Scene;
@@ -42,12 +44,10 @@ impl Drawing {
 
     /// The normals in words; nothing if all are corner normals.
     pub fn normals(&self) -> &'static str {
-        let mut query = self.scene.world.query::<&NormalMode>();
-        let modes: Vec<&NormalMode> = query.iter().collect();
-        match modes.iter().filter(|it| ***it == NormalMode::Face).count() {
-            0 => "",
-            sharp if sharp == modes.len() => ", face normals",
-            _ => ", corner and face normals",
+        match common(&self.scene.world) {
+            Some(NormalMode::Corner) => "",
+            Some(NormalMode::Face) => ", face normals",
+            None => ", corner and face normals",
         }
     }
 

@@ -10,9 +10,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
-use crate::components::{
-    FACES, LightKind, Mesh, NormalMode, TRIANGLES, Transform, View, outward_sign,
-};
+use crate::components::{FACES, Mesh, NormalMode, Normals, TRIANGLES, Transform, View};
 use crate::drawing::{Drawing, camera_name};
 use crate::output::{Output, one_line, say};
 use crate::report::words::counted;
@@ -99,17 +97,13 @@ fn comments(drawing: &Drawing, record: &SceneRecord, view: &View) -> Vec<String>
         format!("# background{} (levels of 255)", numbers(record.background)),
     ];
     for light in record.light.iter().filter(|light| light.on) {
-        let kind = match light.kind {
-            LightKind::Ambient => "ambient",
-            LightKind::Diffuse => "diffuse",
-            LightKind::Specular => "specular",
-        };
         let levels = numbers(light.color * light.intensity * light.gain);
         let place = light
             .position
             .map(|at| format!(", position{}", numbers(at)));
         let place = place.unwrap_or_default();
         let name = one_line(&light.name);
+        let kind = light.kind.name();
         lines.push(format!("# light {name}: {kind}, levels{levels}{place}"));
     }
     lines
@@ -127,10 +121,10 @@ fn object(
     let axes = Transform { position, rotation }.turned(turned).axes();
     let mesh = Mesh::cuboid(cuboid.size);
     let corners = mesh.corners.map(|corner| position + axes * corner);
-    let normals: Vec<DVec3> = match cuboid.normals {
-        NormalMode::Corner => mesh.normals.map(|normal| axes * normal).to_vec(),
-        NormalMode::Face => (0..FACES.len())
-            .map(|face| axes.col(face / 2) * outward_sign(face))
+    let normals = match Normals::new(cuboid.normals, &mesh, axes) {
+        Normals::Corner(normals) => normals.to_vec(),
+        faces @ Normals::Face(_) => (0..FACES.len())
+            .map(|face| faces.of_face(face)[0])
             .collect(),
     };
     let shading = cuboid.shading.name();

@@ -14,8 +14,8 @@
 //!
 //! **Entities, components, systems.** All that a user can change is in a [`hecs::World`]. Its entities are cuboids, lights,
 //! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
-//! `Material`, a `ShadingMode` and a `NormalMode`; the viewer has a `Viewer` with the active camera, the projection, the tolerance and the
-//! other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
+//! `Material`, a `ShadingMode` and a `NormalMode`; the viewer has a `Viewer` with the active camera, the projection, the tolerance
+//! and the other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
 //! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
 //! [`scene::SceneRecord::of`] takes it from a world. serde reads it from a TOML file and writes it to JSON, and
@@ -28,8 +28,8 @@
 //! the frame. `tests/it/systems` tests each alone.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
-//! 2. [`systems::normals`]: the mesh's vertex normals, turned; or the faces' own. A corner normal is the normalised sum of the unit normals of
-//!    the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
+//! 2. [`systems::normals`]: the mesh's vertex normals, turned; or the faces' own. A corner normal is the normalised sum of the
+//!    unit normals of the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
 //!    own axes a corner has the normal (±1, ±1, ±1) / √3.
 //! 3. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel. [`components::Camera::of`] says where a camera stands once its orbit has moved it.

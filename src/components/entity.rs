@@ -29,6 +29,14 @@ pub fn get<C: Component + Clone>(world: &World, entity: Entity) -> Option<C> {
     world.get::<&C>(entity).ok().as_deref().cloned()
 }
 
+/// The value that a component has in all entities; `None` if they differ, or if there is none.
+pub fn common<C: Component + Copy + PartialEq>(world: &World) -> Option<C> {
+    let mut query = world.query::<&C>();
+    let mut values = query.iter();
+    let first = *values.next()?;
+    values.all(|value| *value == first).then_some(first)
+}
+
 /// The name in the scene file: not empty, unique within its kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name(pub String);

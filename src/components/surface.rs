@@ -1,10 +1,11 @@
 //! Material and shading mode of a cuboid, and what a frame derives for it.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use hecs::World;
 use serde::{Deserialize, Serialize};
 
-use super::mesh::{FACES, outward_sign};
+use super::entity::common;
+use super::mesh::{FACES, Mesh, outward_sign};
 use super::range::{Shininess, Strength};
 
 /// The reflection of a surface: one coefficient for each channel and term, and the exponent of the highlight.
@@ -51,10 +52,7 @@ impl ShadingMode {
 
 /// The mode of all cuboids; `None` if they differ, or if there is none.
 pub fn common_mode(world: &World) -> Option<ShadingMode> {
-    let mut query = world.query::<&ShadingMode>();
-    let mut modes = query.iter();
-    let first = *modes.next()?;
-    modes.all(|mode| *mode == first).then_some(first)
+    common(world)
 }
 
 /// The definition of a cuboid's vertex normals.
@@ -90,6 +88,14 @@ pub enum Normals {
 }
 
 impl Normals {
+    /// Those of a cuboid with these own axes in world space.
+    pub fn new(mode: NormalMode, mesh: &Mesh, axes: DMat3) -> Self {
+        match mode {
+            NormalMode::Corner => Normals::Corner(mesh.normals.map(|normal| axes * normal)),
+            NormalMode::Face => Normals::Face([0, 1, 2].map(|axis| axes.col(axis))),
+        }
+    }
+
     /// The normals at the corners of a face, in the order of [`FACES`].
     pub fn of_face(&self, face: usize) -> [DVec3; 4] {
         match self {

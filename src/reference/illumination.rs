@@ -41,8 +41,8 @@ pub struct LightTerm<R> {
 
 /// The vectors of the model at a corner.
 struct Corner<R> {
-    /// The corner from the cuboid's centre: each coordinate is 1 or -1.
-    signs: DVec3,
+    /// n on the faces across x, y and z.
+    normals: [RealVector<R>; 3],
     to_eye: RealVector<R>,
     /// l of every light.
     to_lights: Vec<RealVector<R>>,
@@ -73,7 +73,8 @@ impl<R: Real> ReferenceSurface<R> {
     /// The surface of a cuboid. `lights` are the lights that are on with their positions; positions are in world units.
     pub fn new(
         solid: &CuboidGeometry<R>,
-        (material, normals): (&Material, NormalMode),
+        material: &Material,
+        normals: NormalMode,
         lights: &[(DVec3, Light)],
         (eye, centre): (DVec3, DVec3),
         without: Option<Rule>,
@@ -99,7 +100,13 @@ impl<R: Real> ReferenceSurface<R> {
         let corners = solid.mesh.corners.map(|corner| {
             let place = RealVector::exact(corner);
             Corner {
-                signs: corner.signum(),
+                normals: match normals {
+                    // The normals of the three faces there are the axes with these signs.
+                    NormalMode::Corner => [RealVector::exact(corner.signum()).unit(); 3],
+                    NormalMode::Face => {
+                        DVec3::AXES.map(|axis| RealVector::exact(corner.signum() * axis))
+                    }
+                },
                 to_eye: solid.to_eye(place - solid.eye),
                 to_lights: (lights.iter())
                     .map(|light| (light.from_centre - place).unit())
@@ -118,28 +125,18 @@ impl<R: Real> ReferenceSurface<R> {
             NormalMode::Corner => 1,
             NormalMode::Face => 3,
         };
-        let lit = |corner: &Corner<R>, axis, open| {
+        let lit = |corner: &Corner<R>, axis: usize, open| {
             let to_light = |light: usize| corner.to_lights[light];
-            let normal = surface.normal_at(corner, axis);
-            surface.lit(normal, corner.to_eye, to_light, open, 1)
+            surface.lit(corner.normals[axis], corner.to_eye, to_light, open, 1)
         };
         let lit = |axis, open| (surface.corners.each_ref()).map(|corner| lit(corner, axis, open));
         surface.corner_levels = [0, ALL].map(|open| (0..axes).map(|it| lit(it, open)).collect());
         surface
     }
 
-    /// The unit normal at a corner, on a face across this axis.
-    fn normal_at(&self, corner: &Corner<R>, axis: usize) -> RealVector<R> {
-        match self.normals {
-            // The normals of the three faces there are the axes with these signs.
-            NormalMode::Corner => RealVector::exact(corner.signs).unit(),
-            NormalMode::Face => RealVector::exact(corner.signs * DVec3::AXES[axis]),
-        }
-    }
-
     /// The unit normal at a corner of a face.
     pub fn corner_normal(&self, face: usize, corner: usize) -> RealVector<R> {
-        self.normal_at(&self.corners[corner], across(face).0)
+        self.corners[corner].normals[across(face).0]
     }
 
     /// The unit normal at a point of a face.
@@ -283,12 +280,11 @@ impl<R: Real> ReferenceSurface<R> {
 
     /// The factor of a light's levels in the model at a corner, with tied gates closed.
     pub fn factor_at_corner(&self, light: usize, face: usize, corner: usize) -> R {
-        let (kind, corner) = (self.lights[light].kind, &self.corners[corner]);
-        let (normal, to_light) = (
-            self.normal_at(corner, across(face).0),
-            corner.to_lights[light],
-        );
-        self.factor(kind, normal, corner.to_eye, to_light, false)
+        let (kind, normal) = (self.lights[light].kind, self.corner_normal(face, corner));
+        let Corner {
+            to_eye, to_lights, ..
+        } = &self.corners[corner];
+        self.factor(kind, normal, *to_eye, to_lights[light], false)
     }
 
     /// The assignment's shortcut: the corners' unit n, l and o are interpolated and not normalised again.
@@ -303,7 +299,7 @@ impl<R: Real> ReferenceSurface<R> {
             blend(corners.map(|corner| vector(&self.corners[corner])), weights)
         };
         let to_light = |light: usize| between(&|corner| corner.to_lights[light]);
-        let normal = between(&|corner| self.normal_at(corner, across(face).0));
+        let normal = between(&|corner| corner.normals[across(face).0]);
         self.lit(
             normal,
             between(&|corner| corner.to_eye),

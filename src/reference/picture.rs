@@ -112,11 +112,7 @@ impl<R: Real> Reference<R> {
                 ReferenceCuboid {
                     number: order.0 as usize,
                     surface: ReferenceSurface::new(
-                        &solid,
-                        (material, *normals),
-                        &lights,
-                        places,
-                        without,
+                        &solid, material, *normals, &lights, places, without,
                     ),
                     solid,
                     mode: view.mode(*mode),

@@ -10,9 +10,6 @@ pub fn run(world: &mut World, _view: &View, _frame: &mut Frame) {
     for (place, mesh, mode, normals) in
         world.query_mut::<(&WorldTransform, &Mesh, &NormalMode, &mut Normals)>()
     {
-        *normals = match mode {
-            NormalMode::Corner => Normals::Corner(mesh.normals.map(|normal| place.axes * normal)),
-            NormalMode::Face => Normals::Face([0, 1, 2].map(|axis| place.axes.col(axis))),
-        };
+        *normals = Normals::new(*mode, mesh, place.axes);
     }
 }

@@ -29,7 +29,6 @@ use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
 use crate::probe::Probe;
-use crate::scene::Scene;
 use crate::shading::Method;
 
 /// The width of a window that opens without its panel, in pixels.
@@ -295,14 +294,8 @@ impl App {
         is_new
     }
 
-    /// Shows another scene in place of this one.
-    pub fn open(&mut self, scene: Scene) {
-        self.document.open(scene);
-        self.show_document();
-    }
-
     /// Shows a document that was just opened.
-    pub(super) fn show_document(&mut self) {
+    fn show_document(&mut self) {
         self.study.clear();
         self.desk.selected = None;
         self.desk.tab = self.document.state.view.pixel.map(|_| Tab::Pixel);

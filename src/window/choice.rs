@@ -1,14 +1,11 @@
 //! The choice: the method of the next frame. With a budget it is the most exact measured one whose frames keep that, else the
 //! viewer's own.
 
-use egui::Ui;
 use hecs::World;
 
 use super::controls::{choose_method, set_tolerance, step_tolerance};
-use super::desk::Desk;
 use super::facts::Facts;
-use super::keys::Action;
-use super::widgets::{offer, rounded, short, slider};
+use super::widgets::{rounded, short};
 use crate::components::range::Milliseconds;
 use crate::components::{View, Viewer, common_mode, viewer, viewer_mut};
 use crate::shading::Method;
@@ -19,13 +16,6 @@ use crate::trade::verdict::method_name;
 const STEP: f64 = 1.25;
 /// The budget where no time is known, in milliseconds.
 const FIRST: f64 = 1.0;
-/// The height of the outcome, in points: room for two lines, so that the rows below do not move.
-const OUTCOME: f32 = 34.0;
-const BUDGET: [&str; 3] = [
-    "budget, ms",
-    "[ ]",
-    "The longest time that a frame may take. The most exact method that keeps it is chosen.",
-];
 
 /// The method that holds the budget: the machine's choice, and so no part of the scene.
 #[derive(Default)]
@@ -95,7 +85,7 @@ impl Choice {
     }
 
     /// The method that holds the budget, its time and its error. `time` is that of a frame on screen, in milliseconds.
-    fn outcome(&self, facts: &Facts, time: Option<f64>, budget: f64) -> String {
+    pub fn outcome(&self, facts: &Facts, time: Option<f64>, budget: f64) -> String {
         let Some(method) = self.held else {
             return "The methods are not measured yet.".to_owned();
         };
@@ -109,36 +99,4 @@ impl Choice {
         };
         held.map_or_else(unmeasured, |(_, text)| text)
     }
-}
-
-/// The switch between error and time, and the budget's slider and outcome.
-pub fn budget_rows(
-    ui: &mut Ui,
-    world: &mut World,
-    choice: &Choice,
-    facts: &Facts,
-    time: Option<f64>,
-    desk: &mut Desk,
-) {
-    let budget = viewer(world).budget;
-    ui.horizontal_wrapped(|ui| {
-        let error = ui.selectable_label(budget.is_none(), "hold the error");
-        let says = "Every picture is drawn within the tolerance, however long it takes.";
-        if error.on_hover_text(says).clicked() {
-            choice.set_budget(world, None);
-        }
-        offer(ui, desk, Action::HoldTime, budget.is_some());
-    });
-    let Some(before) = budget else {
-        return;
-    };
-    let mut budget = before;
-    slider(ui, BUDGET, &mut budget, Milliseconds::RANGE, 0.001);
-    if budget != before {
-        choice.set_budget(world, Some(budget));
-    }
-    ui.scope(|ui| {
-        ui.set_min_height(OUTCOME);
-        ui.label(choice.outcome(facts, time, before));
-    });
 }

@@ -8,8 +8,8 @@ use hecs::World;
 
 use super::keys::TOLERANCES;
 use crate::components::{
-    Camera, Light, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, active_camera, get,
-    names, ordered, overwrite, viewer, viewer_mut,
+    Camera, Light, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, active_camera,
+    common, get, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
 use crate::shading::Method;
@@ -47,8 +47,7 @@ pub fn shade(world: &mut World, mode: ShadingMode) {
 
 /// Whether every cuboid has face normals.
 pub fn has_face_normals(world: &World) -> bool {
-    let mut modes = world.query::<&NormalMode>();
-    modes.iter().all(|mode| *mode == NormalMode::Face)
+    common(world) == Some(NormalMode::Face)
 }
 
 /// Gives every cuboid face normals, or corner normals if all have face normals.

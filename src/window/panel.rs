@@ -7,7 +7,7 @@ use hecs::{Entity, World};
 
 use super::app::App;
 use super::chart::chart;
-use super::choice::{Choice, budget_rows};
+use super::choice::Choice;
 use super::controls::{has_face_normals, set_tolerance};
 use super::desk::{Command, Desk};
 use super::document::Document;
@@ -15,7 +15,7 @@ use super::facts::Facts;
 use super::inspector::Tab;
 use super::keys::{Action, EXACT_SIDES, caption, keys};
 use super::widgets::{action_button, color_button, number, offer, slider};
-use crate::components::range::Strength;
+use crate::components::range::{Milliseconds, Strength};
 use crate::components::{
     Camera, Light, LightKind, Name, Projection, ShadingMode, Side, ViewMode, Viewer, names,
     ordered, viewer, viewer_mut,
@@ -28,6 +28,14 @@ const TOLERANCE: [&str; 3] = [
     "[ ]",
     "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
      A coarser tolerance is faster, and 0 is exact.",
+];
+
+/// The height of the outcome, in points: room for two lines, so that the rows below do not move.
+const OUTCOME: f32 = 34.0;
+const BUDGET: [&str; 3] = [
+    "budget, ms",
+    "[ ]",
+    "The longest time that a frame may take. The most exact method that keeps it is chosen.",
 ];
 
 /// The room of a light's colour, strength and key, in points.
@@ -75,19 +83,35 @@ fn shading_rows(
         }
         offer(ui, desk, Action::FaceNormals, has_face_normals(world));
     });
-    budget_rows(ui, world, choice, facts, time, desk);
     let Viewer {
         budget, tolerance, ..
     } = *viewer(world);
-    if budget.is_some() {
+    ui.horizontal_wrapped(|ui| {
+        let error = ui.selectable_label(budget.is_none(), "hold the error");
+        let says = "Every picture is drawn within the tolerance, however long it takes.";
+        if error.on_hover_text(says).clicked() {
+            choice.set_budget(world, None);
+        }
+        offer(ui, desk, Action::HoldTime, budget.is_some());
+    });
+    let Some(budget) = budget else {
+        let mut changed = tolerance;
+        let least = Viewer::LEAST_TOLERANCE;
+        slider(ui, TOLERANCE, &mut changed, 0.0..=255.0, least);
+        if changed != tolerance {
+            set_tolerance(world, if changed < least { 0.0 } else { changed });
+        }
         return;
+    };
+    let mut changed = budget;
+    slider(ui, BUDGET, &mut changed, Milliseconds::RANGE, 0.001);
+    if changed != budget {
+        choice.set_budget(world, Some(changed));
     }
-    let mut changed = tolerance;
-    let least = Viewer::LEAST_TOLERANCE;
-    slider(ui, TOLERANCE, &mut changed, 0.0..=255.0, least);
-    if changed != tolerance {
-        set_tolerance(world, if changed < least { 0.0 } else { changed });
-    }
+    ui.scope(|ui| {
+        ui.set_min_height(OUTCOME);
+        ui.label(choice.outcome(facts, time, budget));
+    });
 }
 
 /// A row for each light.

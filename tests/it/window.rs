@@ -28,7 +28,7 @@ use shadetrade::frame::Keep;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::desk::Desk;
+use shadetrade::window::desk::{Command, Desk};
 use shadetrade::window::document::Document;
 use tempfile::TempDir;
 
@@ -92,6 +92,13 @@ impl Window {
         self.app.desk = Desk::default();
         self.modifiers = Modifiers::NONE;
         self.wait(PAUSE);
+    }
+
+    /// Opens a scene as the list of scenes does.
+    fn choose(&mut self, scene: Scene) {
+        let wish = Command::Open(Box::new(scene));
+        self.app.desk.commands.push(wish);
+        self.step(Vec::new());
     }
 
     fn step(&mut self, events: Vec<Event>) {

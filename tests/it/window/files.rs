@@ -20,7 +20,7 @@ pub fn on_file() -> (Window, PathBuf) {
     let path = window.folder.path().join("mine.toml");
     fs::write(&path, BUILT_IN[0].1).expect("written");
     let scene = Scene::load_path(&path).expect("a scene");
-    window.app.open(scene);
+    window.choose(scene);
     window.wait(PAUSE);
     (window, path)
 }

@@ -7,7 +7,6 @@ use std::time::Duration;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
-use shadetrade::window::desk::Command;
 use tempfile::TempDir;
 
 use super::files::{change, edit, on_file, read, save, write};
@@ -205,7 +204,7 @@ fn edits_go_to_a_folder_of_the_user_s_where_the_scene_has_none() {
     fs::create_dir(&folder).expect("made");
     let path = folder.join("mine.toml");
     fs::rename(other, &path).expect("moved");
-    window.app.open(Scene::load_path(&path).expect("a scene"));
+    window.choose(Scene::load_path(&path).expect("a scene"));
     let state = state_folder(&window);
     window.app.document.keep_edits(vec![state.clone()]);
     edit(&mut window, 3.0);
@@ -282,25 +281,19 @@ fn edits_that_a_step_of_a_lesson_takes_away_are_offered() {
     assert_eq!(window.record(), edits);
 }
 
-fn choose(window: &mut Window, scene: Scene) {
-    let wish = Command::Open(Box::new(scene));
-    window.app.desk.commands.push(wish);
-    window.step(Vec::new());
-}
-
 #[test]
 fn another_scene_leaves_the_edits_of_the_one_before_on_disk() {
     let (mut window, path) = keeping();
     change(&mut window, 3.0);
     let edits = window.record();
     let other = Scene::load(Some("assignment")).expect("built in");
-    choose(&mut window, other);
+    window.choose(other);
     window.wait(PAUSE);
     assert!(window.app.document.title().contains("assignment"));
     window.undo();
     assert_eq!(window.message(), "nothing to undo");
     assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
-    choose(&mut window, Scene::load_path(&path).expect("a scene"));
+    window.choose(Scene::load_path(&path).expect("a scene"));
     let window = answer(window, "restore");
     assert_eq!(window.record(), edits);
 }
