@@ -3,7 +3,7 @@
 //! ```text
 //! entity   components                                      a frame derives
 //! cuboid   Name FileOrder Transform Mesh Material          WorldTransform Normals VertexColors Projected
-//!          ShadingMode NormalMode
+//!          ShadingMode NormalMode Segments
 //! light    Name FileOrder Transform Light
 //! camera   Name FileOrder Camera Orbit
 //! viewer   Viewer Background
@@ -31,7 +31,8 @@ pub use self::light::{Illumination, Light, LightKind, PointLight};
 pub use self::mesh::{FACES, Mesh, TRIANGLES, TriangleId, outward_sign};
 pub use self::orbit::Orbit;
 pub use self::surface::{
-    Material, NormalMode, Normals, Polygon, Projected, ShadingMode, VertexColors, common_mode,
+    Material, NormalMode, Normals, Polygon, Projected, Segments, ShadingMode, VertexColors,
+    common_mode,
 };
 pub use self::transform::{Transform, WorldTransform};
 pub use self::vector::{length, unit};

@@ -10,7 +10,7 @@ use fearless_simd::Level;
 use hecs::World;
 
 use crate::components::{
-    Name, NormalMode, ShadingMode, View, active_camera, common, common_mode, get,
+    Name, NormalMode, Segments, ShadingMode, View, active_camera, common, common_mode, get,
 };
 use crate::frame::Workers;
 use crate::output::{one_line, say};
@@ -51,17 +51,27 @@ impl Drawing {
         }
     }
 
+    /// The number of segments in words; nothing if it is 1 everywhere.
+    pub fn segments(&self) -> String {
+        match common::<Segments>(&self.scene.world).map(Segments::count) {
+            Some(1) => String::new(),
+            Some(count) => format!(", {count} segments"),
+            None => ", different segments".to_owned(),
+        }
+    }
+
     /// The picture in words: scene, camera, projection, size, shading and tolerance.
     pub fn subject(&self) -> String {
         let view = self.view();
         let [width, height] = view.size;
         format!(
-            "{}, camera {}, {}, {width}x{height}, {}{}, tolerance {}",
+            "{}, camera {}, {}, {width}x{height}, {}{}{}, tolerance {}",
             one_line(&self.scene.name),
             camera_name(&self.scene.world),
             view.projection.name(),
             self.mode(),
             self.normals(),
+            self.segments(),
             view.tolerance
         )
     }

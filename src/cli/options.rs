@@ -13,7 +13,9 @@ use toml::Value;
 
 use super::failure::Failure;
 use crate::components::range::Milliseconds;
-use crate::components::{NormalMode, Projection, ShadingMode, Viewer, overwrite, viewer_mut};
+use crate::components::{
+    NormalMode, Projection, Segments, ShadingMode, Viewer, overwrite, viewer_mut,
+};
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
 use crate::output::{Output, check_place, one_line};
 use crate::scene::key::{self, Key};
@@ -41,6 +43,9 @@ pub struct DrawingOptions {
     /// The vertex normals of all cuboids: corner (smooth edges) or face (sharp ones) [default: each as the scene says]
     #[arg(long, value_name = "NORMALS", value_parser = one_of::<NormalMode>(NormalMode::ALL.map(NormalMode::name)))]
     pub normals: Option<NormalMode>,
+    /// The cells along an edge of each face at whose corners Gouraud evaluates the model, 1 to 256 [default: each as the scene says]
+    #[arg(long, value_name = "N", value_parser = segments, allow_negative_numbers = true)]
+    pub segments: Option<Segments>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]
     #[arg(long, value_name = "NAME,NAME...")]
     pub lights: Option<String>,
@@ -99,6 +104,9 @@ impl DrawingOptions {
         }
         if let Some(normals) = self.normals {
             overwrite(&mut scene.world, &normals);
+        }
+        if let Some(segments) = self.segments {
+            overwrite(&mut scene.world, &segments);
         }
         if let Some(projection) = self.projection {
             viewer_mut(&mut scene.world).projection = projection;
@@ -203,6 +211,11 @@ pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
 fn tolerance(text: &str) -> Result<f64, &'static str> {
     let message = "it is 0 (exact) or a number of levels from 0.0001 to 255";
     number(text, Viewer::may_have, message)
+}
+
+fn segments(text: &str) -> Result<Segments, &'static str> {
+    let segments = text.parse().ok().and_then(Segments::new);
+    segments.ok_or("it is a whole number from 1 to 256")
 }
 
 fn budget(text: &str) -> Result<f64, &'static str> {

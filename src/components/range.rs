@@ -38,6 +38,7 @@ pub fn of_key(key: &str) -> RangeInclusive<f64> {
         "size" | "height" | "near" => Length::RANGE,
         "position" | "target" | "up" => Coordinate::RANGE,
         "rotation" => Angle::RANGE,
+        "segments" => 1.0..=256.0,
         "shininess" => Shininess::RANGE,
         "fov" => FieldOfView::RANGE,
         "azimuth" | "elevation" => OrbitAngle::RANGE,

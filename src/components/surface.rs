@@ -1,5 +1,7 @@
 //! Material and shading mode of a cuboid, and what a frame derives for it.
 
+use std::ops::RangeInclusive;
+
 use glam::{DMat3, DVec3};
 use hecs::World;
 use serde::{Deserialize, Serialize};
@@ -75,6 +77,48 @@ impl NormalMode {
             NormalMode::Corner => "corner",
             NormalMode::Face => "face",
         }
+    }
+}
+
+/// The number of cells along an edge of a face at whose corners Gouraud shading evaluates the model: 1..=256.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(try_from = "f64", into = "u32")]
+pub struct Segments(u32);
+
+impl Segments {
+    /// The legal numbers.
+    pub const RANGE: RangeInclusive<u32> = 1..=256;
+
+    /// So many cells; `None` if the number is not legal.
+    pub fn new(cells: u32) -> Option<Self> {
+        Segments::RANGE.contains(&cells).then_some(Segments(cells))
+    }
+
+    /// The number of cells along an edge.
+    pub fn count(self) -> usize {
+        self.0 as usize
+    }
+}
+
+impl Default for Segments {
+    fn default() -> Self {
+        Segments(1)
+    }
+}
+
+impl TryFrom<f64> for Segments {
+    type Error = String;
+
+    fn try_from(number: f64) -> Result<Self, String> {
+        let whole = (number.fract() == 0.0).then_some(number as u32);
+        let message = || format!("invalid value: {number}, expected a whole number from 1 to 256");
+        whole.and_then(Segments::new).ok_or_else(message)
+    }
+}
+
+impl From<Segments> for u32 {
+    fn from(segments: Segments) -> u32 {
+        segments.0
     }
 }
 

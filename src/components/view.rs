@@ -4,7 +4,7 @@ use glam::DVec3;
 use hecs::World;
 
 use super::camera::{Camera, Projection};
-use super::surface::ShadingMode;
+use super::surface::{Segments, ShadingMode};
 use super::viewer::{active_camera, background, viewer};
 
 /// The settings of one frame.
@@ -22,6 +22,8 @@ pub struct View {
     pub turned: u32,
     /// The mode of every object; `None` leaves each its own [`ShadingMode`].
     pub shading: Option<ShadingMode>,
+    /// The segments of every cuboid under Gouraud; `None` leaves each its own [`Segments`].
+    pub segments: Option<Segments>,
     /// The largest error of a shaded pixel against the exact evaluation of its mode, in levels, 0..=255.
     pub tolerance: f64,
 }
@@ -40,6 +42,7 @@ impl View {
             background: background(world),
             turned: viewer.turned,
             shading: None,
+            segments: None,
             tolerance: viewer.tolerance,
         }
     }
@@ -49,15 +52,20 @@ impl View {
         self.shading.unwrap_or(own)
     }
 
+    /// The segments of a cuboid whose own number is `own`.
+    pub fn segments(&self, own: Segments) -> Segments {
+        self.segments.unwrap_or(own)
+    }
+
     /// The view with one mode for all cuboids.
     pub fn shaded(mut self, mode: ShadingMode) -> View {
         self.shading = Some(mode);
         self
     }
 
-    /// The view in which each cuboid has its own mode.
+    /// The view in which each cuboid has its own mode and segments.
     pub fn unshaded(mut self) -> View {
-        self.shading = None;
+        (self.shading, self.segments) = (None, None);
         self
     }
 

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::check::{has, span};
 use super::error;
 use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
-use crate::components::{LightKind, Material, NormalMode, Orbit, ShadingMode, Viewer};
+use crate::components::{LightKind, Material, NormalMode, Orbit, Segments, ShadingMode, Viewer};
 
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -43,6 +43,8 @@ pub struct CuboidRecord {
     pub shading: ShadingMode,
     #[serde(default)]
     pub normals: NormalMode,
+    #[serde(default)]
+    pub segments: Segments,
     pub material: Material,
 }
 

@@ -5,8 +5,8 @@ use hecs::World;
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 use crate::components::{
     Background, Camera, FileOrder, Light, LightKind, Material, Mesh, Name, NormalMode, Normals,
-    Orbit, Projected, ShadingMode, Transform, VertexColors, Viewer, WorldTransform, background,
-    in_file_order, viewer,
+    Orbit, Projected, Segments, ShadingMode, Transform, VertexColors, Viewer, WorldTransform,
+    background, in_file_order, viewer,
 };
 
 impl SceneRecord {
@@ -22,19 +22,21 @@ impl SceneRecord {
             &'a Material,
             &'a ShadingMode,
             &'a NormalMode,
+            &'a Segments,
         );
-        let cuboid =
-            in_file_order::<Parts, _>(world, |(name, at, mesh, material, shading, normals)| {
-                CuboidRecord {
-                    name: name.0.clone(),
-                    size: mesh.size(),
-                    position: at.position,
-                    rotation: at.rotation,
-                    shading: *shading,
-                    normals: *normals,
-                    material: *material,
-                }
-            });
+        let cuboid = in_file_order::<Parts, _>(
+            world,
+            |(name, at, mesh, material, shading, normals, segments)| CuboidRecord {
+                name: name.0.clone(),
+                size: mesh.size(),
+                position: at.position,
+                rotation: at.rotation,
+                shading: *shading,
+                normals: *normals,
+                segments: *segments,
+                material: *material,
+            },
+        );
         let light = in_file_order::<(&Name, &Transform, &Light), _>(world, |(name, at, light)| {
             LightRecord {
                 name: name.0.clone(),
@@ -91,6 +93,7 @@ impl SceneRecord {
                 it.material,
                 it.shading,
                 it.normals,
+                it.segments,
                 WorldTransform::default(),
                 Normals::default(),
                 VertexColors::default(),

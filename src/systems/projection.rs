@@ -87,6 +87,7 @@ mod tests {
             background: DVec3::ZERO,
             turned: 0,
             shading: None,
+            segments: None,
             tolerance: 0.0,
         }
     }

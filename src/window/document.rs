@@ -238,6 +238,7 @@ pub fn has_edits(state: &SceneRecord, saved: &SceneRecord) -> bool {
         || differ(&state.light, &saved.light, |it, saved| it.on = saved.on)
         || differ(&state.cuboid, &saved.cuboid, |it, saved| {
             (it.shading, it.normals) = (saved.shading, saved.normals);
+            it.segments = saved.segments;
         })
         || differ(&state.camera, &saved.camera, |it, saved| {
             it.orbit = saved.orbit;

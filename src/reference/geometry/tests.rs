@@ -38,6 +38,7 @@ fn view(position: DVec3, target: DVec3, projection: Projection) -> View {
         background: DVec3::ZERO,
         turned: 0,
         shading: None,
+        segments: None,
         tolerance: 0.0,
     }
 }

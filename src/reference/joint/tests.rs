@@ -97,6 +97,7 @@ fn pixel(numbers: &mut Numbers, target: DVec3, size: f64) -> View {
         background: DVec3::ZERO,
         turned: 0,
         shading: None,
+        segments: None,
         tolerance: 0.0,
     }
 }

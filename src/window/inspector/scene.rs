@@ -256,6 +256,9 @@ fn number_field(ui: &mut Ui, key: &str, value: &mut Value) {
     if !is_typed {
         let (least, most) = range::of_key(key).into_inner();
         float = float.clamp(least, most);
+        if key == "segments" {
+            float = float.round();
+        }
     }
     *value = json!(float);
 }

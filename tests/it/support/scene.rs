@@ -108,6 +108,7 @@ pub fn view(size: [usize; 2], eye: DVec3, target: DVec3, projection: Projection)
         background: DVec3::new(20.0, 20.0, 24.0),
         turned: 0,
         shading: None,
+        segments: None,
         tolerance: 0.0,
     }
 }
