@@ -163,8 +163,8 @@ impl Frame {
         self.counts
     }
 
-    /// Allocates the buffers for these rows of a picture, unless they fit, and resets the counts. With
-    /// `several` cuboids the visible triangles are kept, too.
+    /// Allocates the buffers for these rows of a picture, unless they fit, and memory for this number of points of grids.
+    /// Resets the counts. With `several` cuboids the visible triangles are kept, too.
     ///
     /// # Errors
     /// If there is too little memory. The frame is then empty.
@@ -173,8 +173,10 @@ impl Frame {
         size: [usize; 2],
         rows: Range<usize>,
         several: bool,
+        points: usize,
     ) -> Result<(), OutOfMemory> {
         self.counts = Counts::default();
+        self.list.grids.reserve(size, points)?;
         let shown = self.keep == Keep::Display;
         let wanted = |kept: bool| if kept { size[0] * rows.len() } else { 0 };
         let [pixels, levels, triangles] = [shown, !shown, several || !shown].map(wanted);

@@ -46,6 +46,7 @@ pub mod face;
 pub mod field;
 pub mod gloss;
 pub mod gouraud;
+pub mod grid;
 pub mod interpolation;
 pub mod lanes;
 mod method;

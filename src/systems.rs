@@ -11,9 +11,10 @@ use std::ops::Range;
 
 use hecs::World;
 
-use crate::components::{Mesh, View};
+use crate::components::{Mesh, Segments, ShadingMode, View};
 use crate::frame::Frame;
 use crate::memory::OutOfMemory;
+use crate::shading::grid::Grids;
 
 /// A system: reads components, and overwrites derived ones or the frame.
 pub type Stage = fn(&mut World, &View, &mut Frame);
@@ -30,7 +31,7 @@ pub const FRAME: [Stage; 5] = [
 /// Draws one frame of `view.size`: every stage in order.
 ///
 /// # Errors
-/// If the picture does not fit in memory.
+/// If the picture, or the grids of its faces, do not fit in memory.
 pub fn draw(world: &mut World, view: &View, frame: &mut Frame) -> Result<(), OutOfMemory> {
     draw_rows(world, view, 0..view.size[1], frame)
 }
@@ -47,7 +48,11 @@ pub fn draw_with(
     frame: &mut Frame,
 ) -> Result<(), OutOfMemory> {
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
-    frame.begin(view.size, rows, cuboids > 1)?;
+    let meshes = world.query_mut::<(&ShadingMode, &Segments)>().into_iter();
+    let gouraud = meshes.filter(|(mode, _)| view.mode(**mode) == ShadingMode::Gouraud);
+    let points = gouraud.map(|(_, segments)| Grids::points(view.segments(*segments)));
+    let points = points.fold(0, usize::saturating_add);
+    frame.begin(view.size, rows, cuboids > 1, points)?;
     for run in stages {
         run(world, view, frame);
     }

@@ -162,22 +162,26 @@ pub enum VertexColors {
     Corner([DVec3; 8]),
     /// Those at the corners of the visible face across each axis: a face and the one opposite are never seen together.
     Face([[DVec3; 4]; 3]),
+    /// For several segments the index of the visible face's grid in the frame, across each axis.
+    Grid([u32; 3]),
 }
 
 impl VertexColors {
-    /// The levels at the corners of a visible face, in the order of [`FACES`].
+    /// The levels at the corners of a visible face, in the order of [`FACES`]; those of a grid are in the frame.
     pub fn of_face(&self, face: usize) -> [DVec3; 4] {
         match self {
             VertexColors::Corner(levels) => FACES[face].map(|corner| levels[usize::from(corner)]),
             VertexColors::Face(levels) => levels[face / 2],
+            VertexColors::Grid(_) => [DVec3::ZERO; 4],
         }
     }
 
-    /// All levels, to be changed.
+    /// All levels, to be changed, but those of a grid.
     pub fn all_mut(&mut self) -> &mut [DVec3] {
         match self {
             VertexColors::Corner(levels) => levels,
             VertexColors::Face(levels) => levels.as_flattened_mut(),
+            VertexColors::Grid(_) => &mut [],
         }
     }
 }

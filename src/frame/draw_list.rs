@@ -10,6 +10,7 @@ use glam::DVec3;
 use crate::components::{Illumination, Material, ShadingMode, TriangleId, WorldTransform};
 use crate::shading::face::{Plane, Rays};
 use crate::shading::gloss::Gloss;
+use crate::shading::grid::Grids;
 use crate::shading::square::{MAX_SIDE, Spans};
 
 /// Everything that is drawn in a frame.
@@ -23,6 +24,8 @@ pub(crate) struct DrawList {
     /// In the order of drawing.
     pub pieces: Vec<Piece>,
     pub objects: Vec<Object>,
+    /// The grids of the faces that have several segments.
+    pub grids: Grids,
     /// For each strip of [`MAX_SIDE`] rows of the picture the indices of its pieces, in the order of drawing.
     pub strips: Vec<Vec<u32>>,
     /// The rows of the picture at which its bands end; see [`DrawList::cut`].
@@ -56,6 +59,8 @@ pub(crate) struct Piece {
     pub plane: Plane,
     /// The values that are interpolated, at its corners: levels under Gouraud shading, unit normals in world space otherwise.
     pub corners: [DVec3; 4],
+    /// The index of its grid, if it is shaded with one.
+    pub grid: Option<u32>,
     /// The least and the largest nearness on the visible part of the face. Samples are clamped to it: snapping may put
     /// one just outside an edge-on face, where the nearness of its plane is far off.
     pub range: [f64; 2],
@@ -140,6 +145,7 @@ mod tests {
             spans: 0..96,
             plane: Plane::default(),
             corners: [DVec3::ZERO; 4],
+            grid: None,
             range: [0.0; 2],
         };
         let mut list = DrawList {

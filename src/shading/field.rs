@@ -38,6 +38,21 @@ impl<S: Simd> Extents<S> {
         }
     }
 
+    /// Numbers that are affine in the pixel, each on its square.
+    #[inline(always)]
+    pub fn affine_each(&self, numbers: &[Affine<f64>; 4]) -> Affine<f64x4<S>> {
+        let [x, y] = self.middle;
+        let lanes = inlined!(|of: fn(&Affine<f64>) -> f64| {
+            f64x4::from_fn(x.token(), |square| of(&numbers[square]))
+        });
+        let [dx, dy] = [lanes(|it| it.dx), lanes(|it| it.dy)];
+        Affine {
+            centre: x * dx + y * dy + lanes(|it| it.centre),
+            dx: self.half[0] * dx,
+            dy: self.half[1] * dy,
+        }
+    }
+
     /// A number that is affine in the pixel, on the squares.
     #[inline(always)]
     pub fn affine(&self, number: &Affine<f64>) -> Affine<f64x4<S>> {

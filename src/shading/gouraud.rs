@@ -2,29 +2,30 @@
 //!
 //! The colour is (w C) / w; w C and w are affine in the pixel, and C comes from the corners of the pixel's own triangle
 //! alone. The quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel
-//! elsewhere; nodes and pixels are evaluated by the same code.
+//! elsewhere; nodes and pixels are evaluated by the same code. A face with several segments is drawn in the same way where a
+//! square lies in one cell of its [`Grid`]. Elsewhere each pixel finds its cell.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x16, f64x4};
+use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 use glam::DVec3;
 
 use super::affine::Affine;
 use super::bound;
-use super::face::Face;
+use super::face::{Face, OVERSHOOT};
 use super::field::{Extents, single};
+use super::grid::{Grid, Patch};
 use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
-use super::lanes::{LaneLayout, Squares};
+use super::lanes::{LaneLayout, Squares, has};
 use super::{U, limit};
-use crate::simd::{inlined, three, two};
+use crate::simd::{four, inlined, outlined, three, two};
 
 /// A face with levels at its vertices, and the squares of it that were prepared last.
 pub struct Gouraud<'a> {
     pub face: &'a Face<'a>,
     /// In levels.
     pub tolerance: f64,
-    /// The levels at the face's corners; and w times those on the first and on the second triangle, as functions of the
-    /// pixel.
-    vertex_levels: &'a [DVec3; 4],
+    source: Source<'a>,
+    /// For one segment w times the levels on the first and on the second triangle, as functions of the pixel.
     colors_by_pixel: [Affine; 2],
     /// Affine numbers, over w at the middle of each square; the colours by triangle and channel.
     w_by_square: Affine<[f32; 4]>,
@@ -35,6 +36,28 @@ pub struct Gouraud<'a> {
     /// Where levels in f32 keep the tolerance.
     pub in_f32: Squares,
 }
+
+/// Levels at the vertices of a face.
+#[derive(Debug)]
+pub enum Source<'a> {
+    /// At its corners.
+    Corners(&'a [DVec3; 4]),
+    /// At the points of a grid.
+    Grid(Grid<'a>, &'a mut GridSquares),
+}
+
+/// The squares of a grid that were prepared last.
+#[derive(Debug, Default)]
+pub struct GridSquares {
+    /// Those without a [`Patch`]: each of their pixels finds its cell.
+    in_many_cells: Squares,
+    /// w times their places on the grid, over w at the middle of each square, counted from a point of the grid.
+    places: [Affine<[f32; 4]>; 2],
+    origins: [[f64; 2]; 4],
+}
+
+/// Affine numbers on four squares.
+type OnSquares<S> = Affine<f64x4<S>>;
 
 /// The rounding error of a colour in f32, relative to the largest on the square:
 ///
@@ -52,16 +75,20 @@ pub struct Gouraud<'a> {
 const COLOR_ERROR: f64 = 80.0 * U;
 
 impl<'a> Gouraud<'a> {
-    /// Draws levels that are given at the face's corners.
-    pub fn new(face: &'a Face, vertex_levels: &'a [DVec3; 4], tolerance: f64) -> Self {
+    /// Draws levels that are given at the vertices.
+    pub fn new(face: &'a Face, source: Source<'a>, tolerance: f64) -> Self {
+        let colors_by_pixel = match &source {
+            Source::Corners(levels) => [0, 1].map(|triangle| {
+                let color = face.interpolate(levels, triangle);
+                face.uvw.map(|it| color.homogeneous(it.x, it.y, it.z))
+            }),
+            Source::Grid(..) => Default::default(),
+        };
         Gouraud {
             face,
             tolerance,
-            vertex_levels,
-            colors_by_pixel: [0, 1].map(|triangle| {
-                let color = face.interpolate(vertex_levels, triangle);
-                face.uvw.map(|it| color.homogeneous(it.x, it.y, it.z))
-            }),
+            source,
+            colors_by_pixel,
             w_by_square: Affine::default(),
             diagonal_by_square: Affine::default(),
             colors_by_square: Default::default(),
@@ -87,16 +114,48 @@ impl<'a> Gouraud<'a> {
             centre: splat(1.0),
             ..scaled(&self.face.plane.w)
         };
-        let diagonal = scaled(&self.face.diagonal);
+        let Source::Grid(grid, squares) = &mut self.source else {
+            let on_face = Cells {
+                diagonal: scaled(&self.face.diagonal),
+                colors: two!(|triangle| three!(|channel| {
+                    scaled(&self.colors_by_pixel[triangle].map(|color| color[channel]))
+                })),
+                error: splat(0.0),
+                in_many_cells: 0,
+            };
+            return self.prepare_cells(simd, middle, w, &on_face, interpolate);
+        };
+        let tolerance = if interpolate { self.tolerance } else { 0.0 };
+        let cells = outlined!(
+            simd,
+            squares.find_cells(simd, self.face, grid, extents, &w, inverse, tolerance)
+        );
+        outlined!(
+            simd,
+            self.prepare_cells(simd, middle, w, &cells, interpolate)
+        )
+    }
+
+    /// Prepares squares with these colours. `w` is over its value at their middles, `middle`.
+    #[inline(always)]
+    fn prepare_cells<S: Simd>(
+        &mut self,
+        simd: S,
+        middle: f64x4<S>,
+        w: OnSquares<S>,
+        cells: &Cells<S>,
+        interpolate: bool,
+    ) -> Option<Interpolant<S>> {
+        let splat = inlined!(|number: f64| f64x4::splat(simd, number));
+        let zero = splat(0.0);
+        let Cells {
+            diagonal, colors, ..
+        } = *cells;
         let change = diagonal.dx.abs() + diagonal.dy.abs();
         let meets = [
             diagonal.centre.simd_gt(-change),
             diagonal.centre.simd_lt(change),
         ];
-        let colors = two!(|triangle| three!(|channel| {
-            scaled(&self.colors_by_pixel[triangle].map(|color| color[channel]))
-        }));
-        let zero = splat(0.0);
         let [mut largest, mut error] = [zero; 2];
         for triangle in 0..2 {
             for color in colors[triangle] {
@@ -118,12 +177,13 @@ impl<'a> Gouraud<'a> {
         self.colors_by_square =
             two!(|triangle| three!(|channel| single(colors[triangle][channel])));
         self.meets = [meets[0].to_bitmask(), meets[1].to_bitmask()];
-        self.in_f32 = (bounded & rounding.simd_le(limit(self.tolerance))).to_bitmask();
+        self.in_f32 =
+            (bounded & (rounding + cells.error).simd_le(limit(self.tolerance))).to_bitmask();
         if !interpolate {
             return None;
         }
-        let is_cut = meets[0] & meets[1];
-        let rest = splat(self.tolerance) - error - rounding * AMPLIFICATION;
+        let is_cut = meets[0] & meets[1] | mask64x4::from_bitmask(simd, cells.in_many_cells);
+        let rest = splat(self.tolerance) - error - cells.error - rounding * AMPLIFICATION;
         let rest = (bounded & !is_cut).select(rest, splat(-1.0));
         let sample = inlined!(|xy| {
             let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
@@ -151,11 +211,150 @@ impl<'a> Gouraud<'a> {
         })
     }
 
+    /// The levels at points of the square at `index`, if it lies in several cells of a grid.
+    #[inline(always)]
+    pub fn look_up<S: Simd>(
+        &self,
+        simd: S,
+        index: usize,
+    ) -> Option<impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> {
+        let Source::Grid(grid, squares) = &self.source else {
+            return None;
+        };
+        let at = LaneLayout::Pixels(index);
+        let levels = inlined!(move |xy| {
+            let inverse = 1.0 / at.affine(&self.w_by_square, xy);
+            let places = two!(|axis| at.affine(&squares.places[axis], xy) * inverse);
+            grid.levels(simd, squares.origins[index], places)
+        });
+        has(squares.in_many_cells, index).then_some(levels)
+    }
+
     /// See [`super::Shader::levels_f64`].
     pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         let (uv, _) = self.face.uv_at(x, y);
-        self.face.blend(self.vertex_levels, uv)
+        match &self.source {
+            Source::Corners(levels) => self.face.blend(levels, uv),
+            Source::Grid(grid, _) => grid.at(uv),
+        }
     }
+}
+
+impl GridSquares {
+    /// Finds the cells of squares on which `w` is 1 at the middle, and `inverse` is 1 / w there.
+    #[inline(always)]
+    fn find_cells<S: Simd>(
+        &mut self,
+        simd: S,
+        face: &Face,
+        grid: &Grid,
+        extents: &Extents<S>,
+        w: &OnSquares<S>,
+        inverse: f64x4<S>,
+        tolerance: f64,
+    ) -> Cells<S> {
+        let divided = inlined!(|term: f64x4<S>| term * inverse);
+        let half = grid.segments as f64 / 2.0;
+        // w times the place on the grid.
+        let places = two!(|axis| {
+            let place = face.uvw.map(|it| (it[axis] + it.z) * half);
+            extents.affine(&place).map(divided)
+        });
+        // A quotient of affine functions is largest and least at corners.
+        let corners = four!(|corner| {
+            let [right, down] = [corner % 2, corner / 2].map(|it| 2.0 * it as f64 - 1.0);
+            let at = inlined!(|it: &OnSquares<S>| it.centre + it.dx * right + it.dy * down);
+            two!(|axis| at(&places[axis]) / at(w))
+        });
+        let [mut least, mut most] = [corners[0]; 2];
+        for corner in &corners[1..] {
+            least = two!(|axis| least[axis].min(corner[axis]));
+            most = two!(|axis| most[axis].max(corner[axis]));
+        }
+        let patches = four!(|square| {
+            let range = [least, most].map(|it| two!(|axis| it[axis][square]));
+            grid.patch(range, &face.corners, tolerance * PATCHED)
+        });
+        let count = grid.segments as f64;
+        let on_patch = |patch: Option<Patch>| {
+            let Some(patch) = patch else {
+                return Default::default();
+            };
+            // From -1 to 1 on the patch, times w.
+            let uvw = face.uvw.map(|it| {
+                let local = two!(|axis| {
+                    let size = patch.size[axis] as f64;
+                    let start = (2 * patch.first[axis] + patch.size[axis]) as f64 - count;
+                    (it[axis] * count - it.z * start) / size
+                });
+                DVec3::new(local[0], local[1], it.z)
+            });
+            let colors = two!(|triangle| {
+                let color = face.interpolate(&patch.levels, triangle);
+                uvw.map(|it| color.homogeneous(it.x, it.y, it.z))
+            });
+            let diagonal = if patch.is_cut {
+                uvw.map(|it| face.diagonal_at([it.x, it.y]))
+            } else {
+                // All of it counts as the first triangle.
+                Affine::new(1.0, 0.0, 0.0)
+            };
+            (diagonal, colors)
+        };
+        let on_patches: [(Affine<f64>, [Affine; 2]); 4] = patches.map(on_patch);
+        let in_many_cells = (0..4)
+            .map(|it| u64::from(patches[it].is_none()) << it)
+            .sum();
+        self.in_many_cells = in_many_cells;
+        self.origins = four!(|square| two!(|axis| {
+            let middle = places[axis].centre[square].clamp(0.0, grid.segments as f64);
+            middle.floor()
+        }));
+        let local = two!(|axis| {
+            let origin = f64x4::from_fn(simd, |square| self.origins[square][axis]);
+            let place = places[axis];
+            Affine::new(
+                place.centre - origin * w.centre,
+                place.dx - origin * w.dx,
+                place.dy - origin * w.dy,
+            )
+        });
+        self.places = two!(|axis| single(local[axis]));
+        let largest =
+            two!(|axis| local[axis].centre.abs() + local[axis].dx.abs() + local[axis].dy.abs());
+        // A pixel centre just outside of the face shows the nearest point of it; a function goes on.
+        let outside = f64x4::splat(simd, count * face.least_steady() * OVERSHOOT) * inverse
+            / (1.0 - w.dx.abs() - w.dy.abs());
+        Cells {
+            diagonal: extents
+                .affine_each(&on_patches.map(|(diagonal, _)| diagonal))
+                .map(divided),
+            colors: two!(|triangle| three!(|channel| {
+                let colors = on_patches.map(|(_, colors)| colors[triangle].map(|it| it[channel]));
+                extents.affine_each(&colors).map(divided)
+            })),
+            error: f64x4::from_fn(simd, |square| match patches[square] {
+                Some(patch) => patch.error + patch.slope * outside[square],
+                None => grid.rounding(two!(|axis| largest[axis][square])),
+            }),
+            in_many_cells,
+        }
+    }
+}
+
+/// The share of the tolerance that a [`Patch`] may err by. The rest is left for the interpolation of the quotient.
+const PATCHED: f64 = 0.75;
+
+/// The cells of four squares: affine functions on the [`Patch`] of a square that has one, and the error of that or of looking
+/// cells up.
+struct Cells<S: Simd> {
+    diagonal: OnSquares<S>,
+    /// By triangle and channel.
+    colors: [[OnSquares<S>; 3]; 2],
+    /// In levels.
+    error: f64x4<S>,
+    /// See [`GridSquares`].
+    in_many_cells: Squares,
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::face::Face;
 use super::field::Extents;
-use super::gouraud::Gouraud;
+use super::gouraud::{Gouraud, GridSquares};
 use super::interpolation::Interpolant;
 use super::lanes::{LaneLayout, has};
 use super::phong::{FaceLight, Phong};
@@ -45,7 +45,9 @@ impl Shader<'_> {
     /// else in f64.
     pub fn evaluate<S: Simd>(&self, simd: S, square: &Square, index: usize, pixels: &mut Pixels) {
         let in_f32 = self.in_f32(index);
-        if in_f32 {
+        if in_f32 && let Some(levels) = self.look_up(simd, index) {
+            outlined!(simd, pixels.evaluate(simd, square.half(), levels));
+        } else if in_f32 {
             let levels = inlined!(|xy| self.levels(simd, index, xy));
             outlined!(simd, pixels.evaluate(simd, square.half(), levels));
         }
@@ -62,11 +64,37 @@ impl Shader<'_> {
             Shader::Phong(phong) => phong.has_signs(index),
             _ => true,
         };
-        if !has_signs || !self.in_f32(index) {
+        if !has_signs || !self.in_f32(index) || self.look_up(simd, index).is_some() {
             return None;
         }
         let levels = inlined!(move |xy| self.levels(simd, index, xy));
         Some(Pointwise::new(simd, square, levels))
+    }
+
+    /// The rows of a square that is covered all over and lies in several cells of a grid, if f32 suffices.
+    #[inline(always)]
+    pub fn grid_rows<S: Simd>(
+        &self,
+        simd: S,
+        square: &Square,
+        index: usize,
+    ) -> Option<impl Rows<S>> {
+        let levels = self.look_up(simd, index)?;
+        let rows = Pointwise::new(simd, square, levels);
+        self.in_f32(index).then_some(rows)
+    }
+
+    /// See [`Gouraud::look_up`].
+    #[inline(always)]
+    fn look_up<S: Simd>(
+        &self,
+        simd: S,
+        index: usize,
+    ) -> Option<impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> {
+        match self {
+            Shader::Gouraud(gouraud) => gouraud.look_up(simd, index),
+            Shader::Phong(_) | Shader::UnitVectors(_) => None,
+        }
     }
 
     /// The levels in f32 at points of the square at `index`, x and y from -1 to 1.
@@ -137,6 +165,8 @@ pub struct Scratch {
     pub lights: Vec<FaceLight>,
     /// For [`UnitVectors`] the directions from the corners of the face to all lights.
     pub to_lights: Vec<[DVec3; 4]>,
+    /// For [`Gouraud`] with several segments.
+    pub cells: GridSquares,
     pub pixels: Pixels,
     pub counts: Counts,
     /// One bit a pixel of a strip: covered so far.

@@ -1,7 +1,8 @@
 //! Collects the lights that are on, and computes the vertex colours of Gouraud shading.
 //!
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed only for cuboids
-//! with Gouraud shading: at the eight corners, or with face normals at the four corners of each visible face.
+//! with Gouraud shading: at the eight corners, with face normals at the four corners of each visible face, or with several
+//! segments at the points of the grid of each visible face.
 
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;
@@ -11,9 +12,9 @@ use hecs::World;
 
 use crate::components::{
     FACES, Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
-    Projection, ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
+    Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
 };
-use crate::frame::Frame;
+use crate::frame::{DrawList, Frame};
 use crate::shading::Surface;
 
 /// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud.
@@ -22,50 +23,88 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         world.query_mut::<(&Transform, &Light)>().into_iter(),
         &mut frame.list.illumination,
     );
-    for (transform, mesh, material, own, normals, projected, colors) in world.query_mut::<(
-        &WorldTransform,
-        &Mesh,
-        &Material,
-        &ShadingMode,
-        &Normals,
-        &Projected,
-        &mut VertexColors,
-    )>() {
+    for (transform, mesh, material, own, segments, normals, projected, colors) in world
+        .query_mut::<(
+            &WorldTransform,
+            &Mesh,
+            &Material,
+            &ShadingMode,
+            &Segments,
+            &Normals,
+            &Projected,
+            &mut VertexColors,
+        )>()
+    {
         if view.mode(*own) != ShadingMode::Gouraud {
             continue;
         }
-        let surface = Surface::new(material, &frame.list.illumination, transform.position);
-        let lens = frame.lens();
-        let levels = |corner: usize, normal: DVec3| {
-            let offset = transform.axes * mesh.corners[corner];
+        let DrawList {
+            rays,
+            illumination,
+            grids,
+            ..
+        } = &mut frame.list;
+        let (lens, surface) = (
+            &rays.lens,
+            Surface::new(material, illumination, transform.position),
+        );
+        let levels = |place: DVec3, normal: DVec3| {
+            let offset = transform.axes * place;
             let to_eye = match lens.projection {
                 Projection::Perspective => unit(lens.eye - transform.position - offset),
                 Projection::Orthographic => -lens.axes[2],
             };
             surface.levels(offset, normal, to_eye)
         };
-        let evaluations = match normals {
-            Normals::Corner(normals) => {
-                *colors = VertexColors::Corner(from_fn(|corner| levels(corner, normals[corner])));
-                8
+        let at_corner = |corner: usize, normal| levels(mesh.corners[corner], normal);
+        let seen = || (0..FACES.len()).filter(|face| projected.polygons[*face].len > 0);
+        let segments = view.segments(*segments);
+        let evaluations;
+        if segments.count() > 1 {
+            let mut indices = [0; 3];
+            for face in seen() {
+                let normals = normals.of_face(face);
+                indices[face / 2] = grids.add(segments, |uv| {
+                    let (place, normal) = on_face(mesh, face, &normals, uv);
+                    levels(place, normal)
+                });
             }
-            Normals::Face(_) => {
-                let is_seen = |face: &usize| projected.polygons[*face].len > 0;
-                let mut faces = [[DVec3::ZERO; 4]; 3];
-                let mut seen = 0;
-                for face in (0..FACES.len()).filter(is_seen) {
-                    let corners = FACES[face].map(usize::from);
-                    let normals = normals.of_face(face);
-                    faces[face / 2] = from_fn(|index| levels(corners[index], normals[index]));
-                    seen += 1;
-                }
-                *colors = VertexColors::Face(faces);
-                4 * seen
+            *colors = VertexColors::Grid(indices);
+            evaluations = seen().count() * (segments.count() + 1).pow(2);
+        } else if let Normals::Corner(normals) = normals {
+            let levels = from_fn(|corner| at_corner(corner, normals[corner]));
+            *colors = VertexColors::Corner(levels);
+            evaluations = 8;
+        } else {
+            let mut faces = [[DVec3::ZERO; 4]; 3];
+            for face in seen() {
+                let (corners, normals) = (FACES[face].map(usize::from), normals.of_face(face));
+                faces[face / 2] = from_fn(|index| at_corner(corners[index], normals[index]));
             }
-        };
+            *colors = VertexColors::Face(faces);
+            evaluations = 4 * seen().count();
+        }
+        let evaluations = evaluations as u64;
         frame.counts.model_evaluations += evaluations;
         frame.counts.specular_evaluations += evaluations * surface.powers() as u64;
     }
+}
+
+/// A point (u, v) of a face, -1 to 1 along its edges: its place relative to the cuboid's centre, in the cuboid's axes, and its
+/// unit normal, between the normals at the corners.
+fn on_face(mesh: &Mesh, face: usize, normals: &[DVec3; 4], [u, v]: [f64; 2]) -> (DVec3, DVec3) {
+    let corners = FACES[face].map(|corner| mesh.corners[usize::from(corner)]);
+    let axis = face / 2;
+    let mut place = corners[0];
+    let mut normal = DVec3::ZERO;
+    for (axis, share) in [((axis + 1) % 3, u), ((axis + 2) % 3, v)] {
+        place[axis] = mesh.corners[7][axis] * share;
+    }
+    for (corner, own) in corners.iter().zip(normals) {
+        let weight = |axis: usize, share: f64| 1.0 + share * corner[axis].signum();
+        normal += *own * (weight((axis + 1) % 3, u) * weight((axis + 2) % 3, v));
+    }
+    (place, unit(normal))
 }
 
 /// Sums the lights that are on, by position. Ambient lights get a position at infinity, where no other light can be.

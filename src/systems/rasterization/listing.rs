@@ -41,10 +41,13 @@ impl DrawList {
             let mode = view.mode(*own);
             for piece in &mut self.pieces[pieces..] {
                 let face = piece.id.face();
-                piece.corners = match mode {
-                    ShadingMode::Gouraud => colors.of_face(face),
-                    _ => normals.of_face(face),
-                };
+                match (mode, colors) {
+                    (ShadingMode::Gouraud, VertexColors::Grid(grids)) => {
+                        piece.grid = Some(grids[face / 2]);
+                    }
+                    (ShadingMode::Gouraud, _) => piece.corners = colors.of_face(face),
+                    _ => piece.corners = normals.of_face(face),
+                }
             }
             let surface = Surface::new(material, &self.illumination, transform.position);
             let gloss = match self.objects.last() {
@@ -86,6 +89,7 @@ impl DrawList {
                     spans: start..self.from.len(),
                     plane: Plane::new(index, transform, half, &self.rays),
                     corners: [DVec3::ZERO; 4],
+                    grid: None,
                     range: self.range(FACES[index].map(|it| projected.seen[usize::from(it)].z)),
                 });
             }

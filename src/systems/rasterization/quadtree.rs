@@ -11,7 +11,7 @@ use crate::components::ShadingMode;
 use crate::frame::{Band, DrawList, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
-use crate::shading::gouraud::Gouraud;
+use crate::shading::gouraud::{Gouraud, GridSquares, Source};
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
@@ -29,6 +29,7 @@ impl DrawList {
         let Scratch {
             lights,
             to_lights,
+            cells,
             pixels: listed,
             counts,
             ..
@@ -52,7 +53,7 @@ impl DrawList {
         }
         let object = &self.objects[piece.object];
         let face = Face::new(&piece.plane, &object.transform, object.half, &self.rays);
-        let shader = &mut self.shader(piece, &face, lights, to_lights);
+        let shader = &mut self.shader(piece, &face, lights, to_lights, cells);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
@@ -72,6 +73,7 @@ impl DrawList {
         face: &'a Face,
         lights: &'a mut Vec<FaceLight>,
         to_lights: &'a mut Vec<[DVec3; 4]>,
+        cells: &'a mut GridSquares,
     ) -> Shader<'a> {
         let object = &self.objects[piece.object];
         let (material, centre) = (&object.material, object.transform.position);
@@ -79,7 +81,13 @@ impl DrawList {
         let (corners, tolerance) = (&piece.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {
-            ShadingMode::Gouraud => Shader::Gouraud(Gouraud::new(face, corners, tolerance)),
+            ShadingMode::Gouraud => {
+                let source = match piece.grid {
+                    Some(grid) => Source::Grid(self.grids.get(grid), cells),
+                    None => Source::Corners(corners),
+                };
+                Shader::Gouraud(Gouraud::new(face, source, tolerance))
+            }
             ShadingMode::Phong => {
                 let gloss = &object.gloss;
                 Shader::Phong(Phong::new(
@@ -179,15 +187,16 @@ impl Canvas<'_, '_> {
         square: &Square,
         seen: usize,
     ) -> SquareKind {
-        if self.is_whole(square, seen)
-            && let Some(mut rows) = shader.rows(simd, square, index)
-        {
+        let is_whole = self.is_whole(square, seen);
+        if is_whole && let Some(mut rows) = shader.rows(simd, square, index) {
             outlined!(simd, self.draw_whole(square, &mut rows));
-            shader.count(index, seen, self.counts)
+        } else if is_whole && let Some(mut rows) = shader.grid_rows(simd, square, index) {
+            outlined!(simd, self.draw_whole(square, &mut rows));
         } else {
             outlined!(simd, self.list(simd, square));
-            self.draw_listed(simd, shader, index, square)
+            return self.draw_listed(simd, shader, index, square);
         }
+        shader.count(index, seen, self.counts)
     }
 
     /// Draws the listed pixels of the square at `index` of those prepared last.

@@ -9,7 +9,7 @@ use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Plane, Rays};
 use shadetrade::shading::field::Extents;
 use shadetrade::shading::gloss::Gloss;
-use shadetrade::shading::gouraud::Gouraud;
+use shadetrade::shading::gouraud::{Gouraud, Source};
 use shadetrade::shading::phong::Phong;
 use shadetrade::simd::baseline;
 
@@ -108,7 +108,7 @@ proptest! {
         let least = corners.into_iter().fold(f64::INFINITY, f64::min) * (1.0 + 1e-9);
 
         let corners = [DVec3::splat(100.0); 4];
-        let mut gouraud = Gouraud::new(&face, &corners, 0.5);
+        let mut gouraud = Gouraud::new(&face, Source::Corners(&corners), 0.5);
         gouraud.prepare(simd, &extents, true);
         let by_vertex = gouraud.in_f32 & 1 == 1;
         prop_assert!(!by_vertex || face.is_steady(least) && least >= w(0.0, 0.0) / 2.0);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use hecs::{Entity, World};
 use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, NormalMode, Normals, Projected,
-    Projection, ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
+    Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference::{Truth, picture};
@@ -40,6 +40,7 @@ pub fn spawn_cuboid(
         material,
         ShadingMode::Phong,
         NormalMode::Corner,
+        Segments::default(),
         WorldTransform::default(),
         Normals::default(),
         VertexColors::default(),

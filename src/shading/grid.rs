@@ -1,0 +1,280 @@
+//! The grids of Gouraud shading: levels at points of a face, and their interpolation over cells.
+//!
+//! ```text
+//!  v   2 +-----+-----+      n = 2 segments: (n + 1)^2 points in n^2 cells. Each cell is cut from its lower left to its
+//!  |     |  .' |  .' |      upper right corner, parallel to the diagonal of the face. A place (s, t) of the grid is
+//!  |   1 +-----+-----+      (u + 1) n / 2, (v + 1) n / 2; in the cell (i, j) the levels are linear in s - i and t - j
+//!  |     |  .' |  .' |      on each triangle. They are continuous over the face, and end at its edges: a pixel centre
+//!  |   0 +-----+-----+      just outside, which snapping may show, takes the nearest point of the face.
+//!        0     1     2 --u
+//! ```
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x16};
+use glam::DVec3;
+
+use super::U;
+use crate::components::Segments;
+use crate::memory::{self, OutOfMemory};
+use crate::simd::{inlined, three, two};
+
+/// The grids of all faces in a frame.
+#[derive(Debug, Default)]
+pub struct Grids {
+    levels: Vec<DVec3>,
+    faces: Vec<FaceGrid>,
+}
+
+/// The grid of a face, whose levels start at an index.
+#[derive(Debug)]
+struct FaceGrid {
+    start: usize,
+    segments: usize,
+    largest: f64,
+    steepest: [f64; 2],
+}
+
+impl Grids {
+    /// The number of points of a cuboid's visible faces, which are three at most. One segment needs no grid.
+    pub fn points(segments: Segments) -> usize {
+        match segments.count() {
+            1 => 0,
+            count => 3 * (count + 1).pow(2),
+        }
+    }
+
+    /// Removes all grids, and allocates memory for this number of points beside a picture of `size`.
+    ///
+    /// # Errors
+    /// If there is too little memory.
+    pub fn reserve(&mut self, size: [usize; 2], points: usize) -> Result<(), OutOfMemory> {
+        memory::clear(&mut self.levels, points);
+        self.faces.clear();
+        if points > self.levels.capacity() {
+            let needed = points.saturating_mul(size_of::<DVec3>());
+            memory::check(size, needed)?;
+            let reserved = self.levels.try_reserve_exact(points);
+            reserved.map_err(memory::refused(size, needed))?;
+        }
+        Ok(())
+    }
+
+    /// Adds the grid of a face, with the levels at its points (u, v). Returns its index. There must be memory for it.
+    pub fn add(&mut self, segments: Segments, levels: impl Fn([f64; 2]) -> DVec3) -> u32 {
+        let (start, count) = (self.levels.len(), segments.count());
+        let at = |index: usize| 2.0 * index as f64 / count as f64 - 1.0;
+        for j in 0..=count {
+            self.levels
+                .extend((0..=count).map(|i| levels([at(i), at(j)])));
+        }
+        let points = &self.levels[start..];
+        let largest = |change: DVec3| change.abs().max_element();
+        let steepest = |[a, b]: [&[DVec3]; 2]| {
+            let changes = a.iter().zip(b).map(|(a, b)| largest(*b - *a));
+            changes.fold(0.0, f64::max)
+        };
+        let rows = points.chunks_exact(count + 1);
+        self.faces.push(FaceGrid {
+            start,
+            segments: count,
+            largest: points.iter().copied().map(largest).fold(0.0, f64::max),
+            steepest: [
+                rows.map(|row| steepest([row, &row[1..]]))
+                    .fold(0.0, f64::max),
+                steepest([points, &points[count + 1..]]),
+            ],
+        });
+        self.faces.len() as u32 - 1
+    }
+
+    /// The grid at an index.
+    pub fn get(&self, index: u32) -> Grid<'_> {
+        let face = &self.faces[index as usize];
+        let points = face.start..face.start + (face.segments + 1).pow(2);
+        Grid {
+            levels: &self.levels[points],
+            segments: face.segments,
+            largest: face.largest,
+            steepest: face.steepest,
+        }
+    }
+}
+
+/// The grid of a face.
+#[derive(Clone, Copy, Debug)]
+pub struct Grid<'a> {
+    /// At the points, row by row.
+    levels: &'a [DVec3],
+    pub segments: usize,
+    /// The largest size of a level.
+    largest: f64,
+    /// The largest change of a level from a point to the next, along u and along v.
+    steepest: [f64; 2],
+}
+
+/// A cell, or several with one linear function instead of theirs.
+#[derive(Clone, Copy, Debug)]
+pub struct Patch {
+    /// Its first cell, and the number of cells along u and v.
+    pub first: [usize; 2],
+    pub size: [usize; 2],
+    /// The levels at its corners, in the order of the face's.
+    pub levels: [DVec3; 4],
+    /// Whether its two triangles differ.
+    pub is_cut: bool,
+    /// The largest error of the function.
+    pub error: f64,
+    /// The largest change of a level for one cell along u and one along v; 0 for a single cell.
+    pub slope: f64,
+}
+
+/// Cells with more points than this are not replaced by one function: to look up each pixel's cell costs less.
+const MOST_POINTS: usize = 256;
+
+/// The rounding error of a place in f32, relative to the largest on the square: with the operations of
+/// [`super::gouraud`], without its triangles and its display,
+///
+/// ```text
+///   numerator 6, w 3 x 6, division 2, all that over the smallest w, which is 1/2: 52
+/// ```
+/// and one more, in cells, where a place below 0 is counted from the corner of its cell.
+const PLACE_ERROR: f64 = 52.0 * U;
+
+/// The rounding error of an interpolated level, relative to the largest of the grid: the weights are positive, and their
+/// sum is 1. A term has its stored level, a difference of two places, a product and two sums; display has four.
+const LEVEL_ERROR: f64 = 9.0 * U;
+
+impl Grid<'_> {
+    /// The cell in which a place of the grid lies, clamped to the face.
+    fn cell(&self, place: [f64; 2]) -> [usize; 2] {
+        place.map(|place| (place.max(0.0) as usize).min(self.segments - 1))
+    }
+
+    /// The place of the grid at a point (u, v).
+    pub fn place(&self, uv: [f64; 2]) -> [f64; 2] {
+        uv.map(|u| (u + 1.0) * 0.5 * self.segments as f64)
+    }
+
+    /// The levels at a point (u, v), or at the nearest point of the face.
+    pub fn at(&self, uv: [f64; 2]) -> DVec3 {
+        let place = self.place(uv);
+        let cell = self.cell(place);
+        let [s, t] = two!(|axis| (place[axis] - cell[axis] as f64).clamp(0.0, 1.0));
+        let start = cell[1] * (self.segments + 1) + cell[0];
+        let third = start + if s > t { 1 } else { self.segments + 1 };
+        let [a, third, c] = [start, third, start + self.segments + 2].map(|it| self.levels[it]);
+        a * (1.0 - s.max(t)) + third * (s.max(t) - s.min(t)) + c * s.min(t)
+    }
+
+    /// The cell in which all these places of the grid lie, from the least to the largest along each axis; `corners` are (u, v) of
+    /// the face's corners. If there are several cells, a linear function for all of them that errs by at most `tolerance`.
+    pub fn patch(
+        &self,
+        [least, most]: [[f64; 2]; 2],
+        corners: &[[f64; 2]; 4],
+        tolerance: f64,
+    ) -> Option<Patch> {
+        let first = self.cell(least);
+        let size = two!(|axis| {
+            let end = (most[axis].max(0.0).ceil() as usize).clamp(first[axis] + 1, self.segments);
+            end - first[axis]
+        });
+        let level =
+            |i: usize, j: usize| self.levels[(first[1] + j) * (self.segments + 1) + first[0] + i];
+        let is_inside = |axis: usize| 0.0 <= least[axis] && most[axis] <= self.segments as f64;
+        if size == [1, 1] && is_inside(0) && is_inside(1) {
+            let at = |[u, v]: [f64; 2]| level(usize::from(u > 0.0), usize::from(v > 0.0));
+            return Some(Patch {
+                first,
+                size,
+                levels: corners.map(at),
+                is_cut: true,
+                error: 0.0,
+                slope: 0.0,
+            });
+        }
+        if tolerance <= 0.0 || (size[0] + 1) * (size[1] + 1) > MOST_POINTS {
+            return None;
+        }
+        // The slopes are those between the sides. The largest error is at a point, since levels and function are linear between.
+        let [i, j] = size;
+        let [a, b, c, d] = [level(0, 0), level(i, 0), level(i, j), level(0, j)];
+        let right = (b - a + (c - d)) / (2.0 * i as f64);
+        let up = (d - a + (c - b)) / (2.0 * j as f64);
+        let (mut lowest, mut highest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for row in 0..=j {
+            for column in 0..=i {
+                let rest = level(column, row) - right * column as f64 - up * row as f64;
+                (lowest, highest) = (lowest.min(rest), highest.max(rest));
+            }
+        }
+        let (start, error) = (
+            (lowest + highest) / 2.0,
+            ((highest - lowest) / 2.0).max_element(),
+        );
+        let at = |[u, v]: [f64; 2]| {
+            let end = |u: f64, size: usize| if u > 0.0 { size as f64 } else { 0.0 };
+            start + right * end(u, i) + up * end(v, j)
+        };
+        (error <= tolerance).then_some(Patch {
+            first,
+            size,
+            levels: corners.map(at),
+            is_cut: false,
+            error,
+            slope: right.abs().max_element() + up.abs().max_element(),
+        })
+    }
+
+    /// The rounding error of [`Grid::levels`], in levels. `largest` are the largest places that are counted from the origin.
+    ///
+    /// Levels are continuous, and change by at most `steepest` a cell, so an error of a place costs that much of it.
+    pub fn rounding(&self, largest: [f64; 2]) -> f64 {
+        let [along_u, along_v] =
+            two!(|axis| (largest[axis] * PLACE_ERROR + U) * self.steepest[axis]);
+        along_u + along_v + self.largest * LEVEL_ERROR
+    }
+
+    /// The levels at places of the grid, which are counted from `origin`, a point of it.
+    #[inline(always)]
+    pub fn levels<S: Simd>(
+        &self,
+        simd: S,
+        origin: [f64; 2],
+        places: [f32x16<S>; 2],
+    ) -> [f32x16<S>; 3] {
+        let splat = inlined!(|number: f64| f32x16::splat(simd, number as f32));
+        let last = self.segments as f64;
+        let [(i, s), (j, t)] = two!(|axis| {
+            let start = origin[axis];
+            let [first, end] = [-start, last - start].map(splat);
+            // NaN, which lanes without a pixel may hold, becomes the first place.
+            let place = places[axis].simd_gt(first).select(places[axis], first);
+            let place = place.simd_lt(end).select(place, end);
+            let cell = place.floor().min(splat(last - 1.0 - start));
+            (cell + splat(start), place - cell)
+        });
+        let across = self.segments + 1;
+        let start = j * splat(across as f64) + i;
+        let is_right = s.simd_gt(t);
+        let third = start + is_right.select(splat(1.0), splat(across as f64));
+        let (least, most) = (s.min(t), s.max(t));
+        let weights = [1.0 - most, most - least, least];
+        let mut levels = [splat(0.0); 3];
+        // Neighbours mostly lie in few triangles: one after another is evaluated in all lanes, and kept in its own.
+        let mut rest = u64::from(u16::MAX);
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize;
+            let is_here = start.simd_eq(start[lane]) & third.simd_eq(third[lane]);
+            // Whole numbers below 2^17, exact in f32.
+            let [a, b] = [start[lane] as usize, third[lane] as usize];
+            let corners = [a, b, a + across + 1].map(|point| self.levels[point]);
+            levels = three!(|channel| {
+                let [a, b, c] = three!(|corner| weights[corner] * corners[corner][channel] as f32);
+                is_here.select(a + b + c, levels[channel])
+            });
+            rest &= !(is_here.to_bitmask() | 1 << lane);
+        }
+        levels
+    }
+}
