@@ -62,7 +62,7 @@ pub mod square;
 mod surface;
 pub mod unit_vectors;
 
-pub use self::method::{METHODS, Method};
+pub use self::method::{METHODS, Method, methods};
 pub use self::shader::{Scratch, Shader};
 pub use self::surface::Surface;
 

@@ -12,12 +12,13 @@ use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser}
 
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
+use crate::components::common;
 use crate::drawing::Drawing;
 use crate::export;
 use crate::output::Output;
 use crate::prove::{PngPicture, read_png};
 use crate::scene::Scene;
-use crate::shading::{METHODS, Method};
+use crate::shading::{METHODS, Method, methods};
 use crate::trade;
 
 /// The options of `view`.
@@ -148,11 +149,16 @@ impl TradeOptions {
             }
         }
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
-        let ids = self.methods.as_ref();
-        let is_chosen = |it: &Method| ids.is_none_or(|ids| ids.iter().any(|id| id == it.id));
+        let methods = match &self.methods {
+            Some(ids) => {
+                let is_chosen = |it: &&Method| ids.iter().any(|id| id == it.id);
+                METHODS.iter().filter(is_chosen).copied().collect()
+            }
+            None => methods(common(&drawing.scene.world)).collect(),
+        };
         Ok(trade::Request {
             drawing,
-            methods: METHODS.iter().copied().filter(is_chosen).collect(),
+            methods,
             time: self.seconds,
             is_report: true,
         })

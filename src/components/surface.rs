@@ -1,7 +1,5 @@
 //! Material and shading mode of a cuboid, and what a frame derives for it.
 
-use std::ops::RangeInclusive;
-
 use glam::{DMat3, DVec3};
 use hecs::World;
 use serde::{Deserialize, Serialize};
@@ -86,12 +84,16 @@ impl NormalMode {
 pub struct Segments(u32);
 
 impl Segments {
-    /// The legal numbers.
-    pub const RANGE: RangeInclusive<u32> = 1..=256;
+    /// The largest number.
+    pub const MOST: u32 = 256;
 
     /// So many cells; `None` if the number is not legal.
-    pub fn new(cells: u32) -> Option<Self> {
-        Segments::RANGE.contains(&cells).then_some(Segments(cells))
+    pub const fn new(cells: u32) -> Option<Self> {
+        if 1 <= cells && cells <= Segments::MOST {
+            Some(Segments(cells))
+        } else {
+            None
+        }
     }
 
     /// The number of cells along an edge.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::camera::{Camera, Projection};
 use super::entity::{Name, in_file_order};
 use super::range::{Milliseconds, Offset, Share, array};
-use super::surface::ShadingMode;
+use super::surface::{Segments, ShadingMode};
 
 /// The viewer, a component of one entity: the table `[view]` of a scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -123,8 +123,12 @@ pub enum ViewMode {
 pub enum Side {
     /// The picture of the viewer's own settings.
     Picture,
-    /// One mode for all cuboids, and a tolerance in levels.
-    Method { mode: ShadingMode, tolerance: f64 },
+    /// One mode and number of segments for all cuboids (`None` leaves each its own), and a tolerance in levels.
+    Method {
+        mode: ShadingMode,
+        segments: Option<Segments>,
+        tolerance: f64,
+    },
     /// Exact Phong in f64, drawn independently of the renderer.
     Reference,
 }
@@ -132,7 +136,11 @@ pub enum Side {
 impl Side {
     /// Gouraud and Phong, both within this tolerance.
     pub fn gouraud_phong(tolerance: f64) -> [Side; 2] {
-        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method { mode, tolerance })
+        [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method {
+            mode,
+            segments: None,
+            tolerance,
+        })
     }
 }
 
@@ -145,7 +153,15 @@ impl From<Side> for String {
                 mode: ShadingMode::UnitVectors,
                 ..
             } => "phong-unit-vectors".to_owned(),
-            Side::Method { mode, tolerance } => format!("{}-{tolerance}", mode.name()),
+            Side::Method {
+                mode,
+                segments,
+                tolerance,
+            } => {
+                let count = segments.map(Segments::count);
+                let cells = count.map_or_else(String::new, |it| format!("-{it}x{it}"));
+                format!("{}{cells}-{tolerance}", mode.name())
+            }
         }
     }
 }
@@ -154,23 +170,37 @@ impl TryFrom<String> for Side {
     type Error = String;
 
     fn try_from(text: String) -> Result<Self, String> {
-        let method = |mode, levels: &str| {
+        let of = |mode, segments, levels: &str| {
             let tolerance = levels.parse().ok();
             let tolerance = tolerance.filter(|it| Viewer::may_have(*it))?;
-            Some(Side::Method { mode, tolerance })
+            Some(Side::Method {
+                mode,
+                segments,
+                tolerance,
+            })
+        };
+        let method = |mode, levels: &str| of(mode, None, levels);
+        let gouraud = |rest: &str| {
+            let Some((cells, levels)) = rest.split_once('-').filter(|(it, _)| it.contains('x'))
+            else {
+                return method(ShadingMode::Gouraud, rest);
+            };
+            let (one, other) = cells.split_once('x')?;
+            let segments = Segments::new(one.parse().ok()?);
+            (one == other).then(|| of(ShadingMode::Gouraud, Some(segments?), levels))?
         };
         let side = match text.split_once('-') {
             None if text == "picture" => Some(Side::Picture),
             None if text == "reference" => Some(Side::Reference),
             Some(("phong", "unit-vectors")) => method(ShadingMode::UnitVectors, "0"),
             Some(("phong", levels)) => method(ShadingMode::Phong, levels),
-            Some(("gouraud", levels)) => method(ShadingMode::Gouraud, levels),
+            Some(("gouraud", rest)) => gouraud(rest),
             _ => None,
         };
         side.ok_or_else(|| {
             format!(
                 "invalid value: string {text:?}, expected \"picture\", \"reference\", \"phong-unit-vectors\", or \
-                 \"gouraud-\" or \"phong-\" and a tolerance, such as \"phong-0.5\""
+                 \"gouraud-\" or \"phong-\" and a tolerance, such as \"phong-0.5\" or \"gouraud-8x8-0.5\""
             )
         })
     }

@@ -27,8 +27,8 @@ use crate::systems;
 
 /// The most bytes for a pixel: a reference picture, a frame, and a list of errors.
 const BYTES: usize = 28 + 17 + 8;
-/// The bytes that a report adds: two reference pictures, and a map for each method.
-const BYTES_OF_REPORT: usize = 2 * 28 + 4 * METHODS.len();
+/// The bytes that a report adds: three reference pictures, and a map for each method.
+const BYTES_OF_REPORT: usize = 3 * 28 + 4 * METHODS.len();
 
 /// The errors of `methods` in the view of `request`, without times.
 ///
@@ -49,7 +49,8 @@ pub fn errors(
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
     let mut scene = request.drawing.scene.snapshot();
     let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor)?;
-    let own_modes = methods.iter().map(|method| method.mode);
+    let own_modes = methods.iter().filter(|it| it.segments.is_none());
+    let own_modes = own_modes.map(|method| method.mode);
     let own_modes = own_modes.filter(|_| request.is_report);
     let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
     let mut truths = HashMap::new();
@@ -67,7 +68,19 @@ pub fn errors(
         let difference = compare(drawn, exact);
         let (mut own_error, mut map) = (None, Vec::new());
         if request.is_report {
-            own_error = compare(drawn, Picture::from(&truths[&method.mode])).error;
+            let other = if method.segments.is_some() {
+                let view = &method.view(view);
+                Some(reference::picture(
+                    &scene.world,
+                    view,
+                    0..view.size[1],
+                    monitor,
+                )?)
+            } else {
+                None
+            };
+            let own = other.as_ref().unwrap_or_else(|| &truths[&method.mode]);
+            own_error = compare(drawn, Picture::from(own)).error;
             map.extend(compared(drawn, exact).map(|it| Scale::WIDEST.color(it)));
         }
         measured.push(Measurement {

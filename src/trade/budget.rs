@@ -11,10 +11,11 @@ use std::time::Duration;
 
 use super::verdict::method_name;
 use super::{Measurement, Request, TimeBatch, front, is_timed, measure};
+use crate::components::common;
 use crate::drawing::Drawing;
 use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
-use crate::shading::{METHODS, Method};
+use crate::shading::{Method, methods};
 
 /// The time for timing frames, of all methods together, before one picture is drawn.
 const MEASURING_TIME: Duration = Duration::from_secs(1);
@@ -77,7 +78,9 @@ pub fn choose(
             scene: drawing.scene.snapshot(),
             ..*drawing
         },
-        methods: METHODS.iter().copied().filter(|it| is_timed(*it)).collect(),
+        methods: methods(common(&drawing.scene.world))
+            .filter(|it| is_timed(*it))
+            .collect(),
         time: MEASURING_TIME,
         is_report: false,
     };

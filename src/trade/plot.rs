@@ -15,6 +15,7 @@ use plotters::prelude::*;
 use super::export::{place, subject};
 use super::front;
 use super::measurement::{Measurement, Report};
+use super::verdict::UNSEEN;
 use crate::components::ShadingMode;
 use crate::report::chart::{self, Area, FAINT, GREEN, ORANGE, PURPLE};
 
@@ -29,6 +30,15 @@ const SIZE: (u32, u32) = (960, 600);
 pub fn place_of(one: &Measurement) -> (f64, f64) {
     let error = one.largest_error().unwrap_or_default();
     (one.timing.median, error.max(FLOOR))
+}
+
+/// Gouraud within half a level, with ever more vertices.
+pub fn vertices<'a>(measured: impl IntoIterator<Item = &'a Measurement>) -> Vec<&'a Measurement> {
+    let is_one =
+        |it: &&Measurement| it.method.mode == ShadingMode::Gouraud && it.method.tolerance == UNSEEN;
+    let mut curve: Vec<_> = measured.into_iter().filter(is_one).collect();
+    curve.sort_by_key(|it| it.counts.model_evaluations);
+    curve
 }
 
 /// The hues of the window's chart, darker because the ground is white.
@@ -50,8 +60,8 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     let key = if methods.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
-        "Filled: a best trade; the line joins them. Bar: the range of a method's time. An error below 0.001 is drawn \
-         at 0.001."
+        "Filled: a best trade; the grey line joins them. Bar: the range of a method's time. The coloured line joins \
+         Gouraud with ever more vertices. An error below 0.001 is drawn at 0.001."
     };
     chart::svg(SIZE, |area| {
         let title = "The cost and the error of each shading method";
@@ -76,6 +86,9 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
     let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes)?;
     let line = front_line(methods, times.end);
     chart.draw_series([PathElement::new(line, FAINT.stroke_width(2))])?;
+    let curve = vertices(methods.iter().copied()).into_iter().map(place_of);
+    let line = color(ShadingMode::Gouraud).mix(0.5).stroke_width(1);
+    chart.draw_series([PathElement::new(curve.collect::<Vec<_>>(), line)])?;
     for one in methods {
         let (_, error) = place_of(one);
         let within = |end: f64| (end.clamp(times.start, times.end), error);

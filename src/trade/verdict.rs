@@ -3,7 +3,8 @@
 //! Every word follows from a measured number.
 
 use super::measurement::Measurement;
-use crate::components::ShadingMode::{self, Gouraud, Phong, UnitVectors};
+use crate::components::Segments;
+use crate::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use crate::report::words::{capital, pace, short};
 use crate::shading::Method;
 
@@ -11,24 +12,31 @@ use crate::shading::Method;
 pub const UNSEEN: f64 = 0.5;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
-/// The sentences about Gouraud, Phong within half a level and the assignment's shortcut, if they were measured.
+/// The sentences about Gouraud, Phong within half a level, the assignment's shortcut and Gouraud with enough vertices, if they
+/// were measured.
 pub fn verdict(measured: &[Measurement]) -> String {
     if measured.iter().all(|it| it.error.is_none()) {
         return NOTHING.to_owned();
     }
     let subjects = [(Gouraud, UNSEEN), (Phong, UNSEEN), (UnitVectors, 0.0)];
-    let of = |(mode, tolerance)| against_phong(measured, find(measured, mode, tolerance)?);
-    let sentences: Vec<String> = subjects.into_iter().filter_map(of).collect();
+    let of = |(mode, tolerance)| find(measured, Method::of(mode, tolerance));
+    // The fewest vertices whose error is not visible, or else the most.
+    let mut grids = measured.iter().filter(|it| it.method.segments.is_some());
+    let is_unseen = |it: &&Measurement| it.largest_error().is_some_and(|it| it <= 2.0 * UNSEEN);
+    let enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
+    let told = subjects.into_iter().filter_map(of).chain(enough);
+    let sentences: Vec<String> = told.filter_map(|it| against_phong(measured, it)).collect();
     sentences.join(" ")
 }
 
 /// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
-    let shown = find(measured, shown.mode, shown.tolerance)?;
+    let shown = find(measured, shown)?;
     let Some(text) = against_phong(measured, shown) else {
         return Some(NOTHING.to_owned());
     };
-    let gouraud = find(measured, Gouraud, UNSEEN).filter(|_| shown.method.mode == Phong);
+    let gouraud =
+        find(measured, Method::of(Gouraud, UNSEEN)).filter(|_| shown.method.mode == Phong);
     Some(match gouraud {
         Some(gouraud) => {
             let pace = pace(gouraud.timing.interval, shown.timing.interval);
@@ -39,8 +47,7 @@ pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     })
 }
 
-fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&Measurement> {
-    let method = Method::of(mode, tolerance);
+fn find(measured: &[Measurement], method: Method) -> Option<&Measurement> {
     measured.iter().find(|it| it.method == method)
 }
 
@@ -50,7 +57,7 @@ fn find(measured: &[Measurement], mode: ShadingMode, tolerance: f64) -> Option<&
 fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
     let error = format!("off by {} of 255", short(shown.largest_error()?));
     let name = capital(&method_name(shown.method));
-    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Phong, tolerance));
+    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Method::of(Phong, tolerance)));
     let mut rivals = [half, exact].into_iter().flatten();
     let rival = rivals.find(|it| it.method != shown.method);
     Some(match rival {
@@ -65,6 +72,10 @@ fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String
 
 /// A method in words: "Phong within half a level".
 pub fn method_name(method: Method) -> String {
+    if let Some(count) = method.segments.map(Segments::count) {
+        let own = method_name(Method::of(method.mode, method.tolerance));
+        return format!("{own} with {count} x {count} cells");
+    }
     match (method.mode, method.tolerance) {
         (UnitVectors, _) => "interpolated unit vectors".to_owned(),
         (Gouraud, 0.0) => "exact Gouraud".to_owned(),

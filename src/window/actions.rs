@@ -63,6 +63,7 @@ impl App {
             }
             Action::Shading(mode) => controls::shade(world, mode),
             Action::FaceNormals => controls::switch_normals(world),
+            Action::Segments(steps) => self.desk.say_any(controls::step_segments(world, steps)),
             Action::Tolerance(steps) => self.desk.say_any(self.choice.step(world, steps)),
             Action::HoldTime => self.choice.switch(world, &self.study.facts),
             Action::NextProjection => controls::next_projection(world),

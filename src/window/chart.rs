@@ -20,7 +20,7 @@ use crate::components::{ShadingMode, viewer};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
-use crate::trade::plot::{FLOOR, place_of};
+use crate::trade::plot::{FLOOR, place_of, vertices};
 use crate::trade::verdict::{UNSEEN, method_name, sentence};
 use crate::trade::{Measurement, front};
 
@@ -29,8 +29,9 @@ const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
 /// The room beside the chart, in points, into which half of the last time's label reaches.
 const BESIDE: f32 = 12.0;
-const CAPTION: &str = "A dot is a method, a bar the range of its times. The line joins the best trades. A ring marks the \
-                       method on screen, and a white line the budget. A click on a dot chooses its method. Errors above \
+const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
+                       the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
+                       line the budget. A click on a dot chooses its method. Errors above \
                        one level are visible. Frames are drawn by all cores, or as many as --threads says; `trade` \
                        uses one.";
 /// The largest error of the axis, in levels.
@@ -174,6 +175,8 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
     let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
     let staircase = front.windows(2).flat_map(step).collect();
     plot.line(line(staircase, Color32::from_gray(120)));
+    let curve = vertices(known).into_iter().map(place).collect();
+    plot.line(line(curve, GOURAUD.gamma_multiply(0.5)));
     for one in known {
         let ink = mode_ink(one.method.mode);
         let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });

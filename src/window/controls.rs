@@ -8,10 +8,11 @@ use hecs::World;
 
 use super::keys::TOLERANCES;
 use crate::components::{
-    Camera, Light, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, active_camera,
-    common, get, names, ordered, overwrite, viewer, viewer_mut,
+    Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, ViewMode,
+    active_camera, common, get, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
+use crate::report::words::counted;
 use crate::shading::Method;
 
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
@@ -56,14 +57,28 @@ pub fn switch_normals(world: &mut World) {
     overwrite(world, &normals);
 }
 
+/// Doubles the number of segments of every cuboid, or halves it if `steps` is negative.
+pub fn step_segments(world: &mut World, steps: i32) -> Option<String> {
+    let present = common::<Segments>(world).unwrap_or_default().count() as f64;
+    let next = (present * f64::from(steps).exp2()).clamp(1.0, Segments::MOST.into());
+    let next = Segments::new(next as u32).unwrap_or_default();
+    if common(world) == Some(next) {
+        return Some(format!("{} is the limit", counted(next.count(), "segment")));
+    }
+    overwrite(world, &next);
+    None
+}
+
 /// Shades every cuboid by a method. Interpolated unit vectors are no shading mode of scenes: a wipe compares them.
 pub fn choose_method(world: &mut World, method: Method) {
-    let (mode, tolerance) = (method.mode, method.tolerance);
-    if mode == ShadingMode::UnitVectors {
-        return wipe(world, [Side::Method { mode, tolerance }, Side::Picture]);
+    if method.mode == ShadingMode::UnitVectors {
+        return wipe(world, [Side::from(method), Side::Picture]);
     }
-    shade(world, mode);
-    set_tolerance(world, tolerance);
+    shade(world, method.mode);
+    set_tolerance(world, method.tolerance);
+    if let Some(segments) = method.segments {
+        overwrite(world, &segments);
+    }
 }
 
 /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
@@ -92,7 +107,9 @@ pub fn set_tolerance(world: &mut World, levels: f64) {
     let mut viewer = viewer_mut(world);
     let before = viewer.tolerance;
     for side in viewer.sides.iter_mut() {
-        if let Side::Method { mode, tolerance } = side
+        if let Side::Method {
+            mode, tolerance, ..
+        } = side
             && *tolerance == before
             && *mode != ShadingMode::UnitVectors
         {

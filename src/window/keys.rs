@@ -18,6 +18,8 @@ pub enum Action {
     Shading(ShadingMode),
     /// Gives every cuboid face normals, or corner normals again.
     FaceNormals,
+    /// Doubles the segments of every cuboid so often, or halves them if negative.
+    Segments(i32),
     /// Goes to the next tolerance of [`TOLERANCES`]: a coarser one if positive.
     Tolerance(i32),
     /// Holds the time of a frame, or the error again.
@@ -93,6 +95,8 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Action::Shading(ShadingMode::Gouraud))]),
         ("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
         ("face normals", "Each face has its own normal: edges are sharp. Else the faces at a corner share one, and edges look smooth.", &[(NO, Key::X, Action::FaceNormals)]),
+        ("more vertices", "Twice as many cells along the edges of a face: Gouraud computes light at their corners.", &[(NO, Key::Period, Action::Segments(1))]),
+        ("fewer vertices", "Half as many cells along the edges of a face.", &[(NO, Key::Comma, Action::Segments(-1))]),
         ("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
         ("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Action::Tolerance(1)), (NO, Key::PageUp, Action::Tolerance(1))]),
         ("hold the time", "Draws by the most exact method whose frames keep a budget of time.", &[(NO, Key::M, Action::HoldTime)]),

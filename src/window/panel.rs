@@ -17,8 +17,8 @@ use super::keys::{Action, EXACT_SIDES, caption, keys};
 use super::widgets::{action_button, color_button, number, offer, slider};
 use crate::components::range::{Milliseconds, Strength};
 use crate::components::{
-    Camera, Light, LightKind, Name, Projection, ShadingMode, Side, ViewMode, Viewer, names,
-    ordered, viewer, viewer_mut,
+    Camera, Light, LightKind, Name, Projection, Segments, ShadingMode, Side, ViewMode, Viewer,
+    common, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
 use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene};
@@ -28,6 +28,12 @@ const TOLERANCE: [&str; 3] = [
     "[ ]",
     "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
      A coarser tolerance is faster, and 0 is exact.",
+];
+
+const SEGMENTS: [&str; 3] = [
+    "segments",
+    ", .",
+    "Cells along an edge of a face. Gouraud computes light at their corners; Phong does not depend on them.",
 ];
 
 /// The height of the outcome, in points: room for two lines, so that the rows below do not move.
@@ -83,6 +89,15 @@ fn shading_rows(
         }
         offer(ui, desk, Action::FaceNormals, has_face_normals(world));
     });
+    let count = common::<Segments>(world).map_or(1.0, |it| it.count() as f64);
+    let mut changed = count;
+    let most = f64::from(Segments::MOST);
+    slider(ui, SEGMENTS, &mut changed, 1.0..=most, 1.0);
+    if changed != count
+        && let Some(segments) = Segments::new(changed.round() as u32)
+    {
+        overwrite(world, &segments);
+    }
     let Viewer {
         budget, tolerance, ..
     } = *viewer(world);

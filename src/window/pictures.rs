@@ -112,17 +112,20 @@ pub fn sides(viewer: &Viewer) -> [Side; 2] {
 pub fn side_method(side: &Side, shown: Option<Method>) -> Option<Method> {
     match *side {
         Side::Picture => shown,
-        Side::Method { mode, tolerance } => Some(Method::of(mode, tolerance)),
+        Side::Method {
+            mode,
+            segments,
+            tolerance,
+        } => Some(Method::with(mode, segments, tolerance)),
         Side::Reference => None,
     }
 }
 
 /// The view of one side of a wipe; `None` for the reference.
 pub fn side_view(side: &Side, view: &View) -> Option<View> {
-    match *side {
+    match side {
         Side::Picture => Some(*view),
-        Side::Method { mode, tolerance } => Some(view.shaded(mode).with_tolerance(tolerance)),
-        Side::Reference => None,
+        _ => side_method(side, None).map(|method| method.view(view)),
     }
 }
 

@@ -22,7 +22,7 @@ use crate::prove::prove;
 use crate::report::Monitor;
 use crate::requires::{part_changes, ranked};
 use crate::scene::{Scene, SceneRecord};
-use crate::shading::{METHODS, Method};
+use crate::shading::{Method, methods};
 use crate::trade::batch::time_here;
 use crate::trade::{Request, is_timed, measure};
 
@@ -290,7 +290,9 @@ fn wanted_methods(subject: &Subject) -> Vec<Method> {
     let sides = sides(&subject.record.view).into_iter();
     let sides = sides.filter_map(|side| side_method(&side, subject.method));
     // The frames of the other one take so long that they would delay a key.
-    let timed = METHODS.iter().copied().filter(|it| is_timed(*it));
+    let mut segments = subject.record.cuboid.iter().map(|it| it.segments);
+    let own = segments.next().filter(|own| segments.all(|it| it == *own));
+    let timed = methods(own).filter(|it| is_timed(*it));
     let mut methods: Vec<Method> = timed.collect();
     for method in subject.method.into_iter().chain(sides) {
         if !methods.contains(&method) {

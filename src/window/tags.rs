@@ -22,10 +22,7 @@ const SHORTCUT: &str =
 
 /// The sides to choose from.
 fn choices() -> Vec<Side> {
-    let methods = METHODS.iter().map(|method| Side::Method {
-        mode: method.mode,
-        tolerance: method.tolerance,
-    });
+    let methods = METHODS.iter().copied().map(Side::from);
     methods.chain([Side::Picture, Side::Reference]).collect()
 }
 

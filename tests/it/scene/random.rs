@@ -124,10 +124,12 @@ fn tolerance(random: &mut Random) -> f64 {
 
 fn side(random: &mut Random) -> Side {
     let [gouraud, phong] = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| Side::Method {
+        segments: None,
         mode,
         tolerance: tolerance(random),
     });
     let shortcut = Side::Method {
+        segments: None,
         mode: ShadingMode::UnitVectors,
         tolerance: 0.0,
     };

@@ -54,7 +54,11 @@ fn a_snapshot_is_independent_and_keeps_the_assignment_s_shortcut() {
 
 #[test]
 fn a_side_is_its_text() {
-    let method = |mode, tolerance| Side::Method { mode, tolerance };
+    let method = |mode, tolerance| Side::Method {
+        mode,
+        segments: None,
+        tolerance,
+    };
     for (text, side) in [
         ("picture", Side::Picture),
         ("reference", Side::Reference),

@@ -4,7 +4,8 @@ use glam::DVec3;
 use hecs::{Component, Entity, World};
 use shadetrade::components::{
     FileOrder, Illumination, LightKind, Material, Mesh, NormalMode, Normals, Orbit, Projected,
-    Projection, ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite, viewer_mut,
+    Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite,
+    viewer_mut,
 };
 use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
@@ -50,14 +51,15 @@ fn without<C: Component>(world: &mut World, entity: Entity) {
 }
 
 #[test]
-fn a_cuboid_that_lacks_a_component_is_drawn_only_without_transform_or_normal_mode() {
-    let removals: [Removal; 10] = [
+fn a_cuboid_that_lacks_a_component_is_drawn_only_without_transform_normal_mode_or_segments() {
+    let removals: [Removal; 11] = [
         ("FileOrder", without::<FileOrder>),
         ("Transform", without::<Transform>),
         ("Mesh", without::<Mesh>),
         ("Material", without::<Material>),
         ("ShadingMode", without::<ShadingMode>),
         ("NormalMode", without::<NormalMode>),
+        ("Segments", without::<Segments>),
         ("WorldTransform", without::<WorldTransform>),
         ("Normals", without::<Normals>),
         ("VertexColors", without::<VertexColors>),
@@ -77,11 +79,11 @@ fn a_cuboid_that_lacks_a_component_is_drawn_only_without_transform_or_normal_mod
             .expect("it is there")
             .component_types()
             .count();
-        // Name is the eleventh component. No system adds one.
-        assert_eq!(left, 10, "{component}");
-        // It stays where it was placed last, or keeps its normals.
+        // Name is the twelfth component. No system adds one.
+        assert_eq!(left, 11, "{component}");
+        // It stays where it was placed last, or keeps its normals; Phong does not use segments.
         let is_drawn = frame.counts().covered_pixels > 0;
-        let stays = ["Transform", "NormalMode"].contains(&component);
+        let stays = ["Transform", "NormalMode", "Segments"].contains(&component);
         assert_eq!(is_drawn, stays, "{component}");
     }
 }

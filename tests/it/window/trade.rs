@@ -104,6 +104,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
             let viewer = window.app.viewer();
             assert_eq!(viewer.show, ViewMode::Wipe);
             let side = Side::Method {
+                segments: None,
                 mode: UnitVectors,
                 tolerance: 0.0,
             };
@@ -250,6 +251,7 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let world = &mut app.document.scene.world;
     choose_method(world, shown);
     let side = Side::Method {
+        segments: None,
         mode: Phong,
         tolerance: beside.tolerance,
     };
