@@ -16,6 +16,7 @@
 //! depend on the number of threads.
 
 mod beside;
+mod cells;
 mod edge;
 mod geometry;
 mod illumination;

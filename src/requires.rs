@@ -15,10 +15,12 @@
 //! one is compared with the nearest colour of the same face in the other. If the other cannot show that face, the colour is
 //! compared with all of its colours.
 //!
-//! [`bits`] rounds one stage of the model at a time, and compares in the same way.
+//! [`bits`] rounds one stage of the model at a time, and compares in the same way. [`segments`] does so with Gouraud on ever
+//! finer grids.
 
 pub mod bits;
 pub mod command;
+pub mod segments;
 
 use serde::Serialize;
 
@@ -282,13 +284,16 @@ pub fn least(
 fn rows<R: Real + 'static>(picture: Reference<R>) -> RowSurfaces {
     Box::new(move |y| {
         let mut row = Vec::new();
-        let shown = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
-        picture.row(y, |_, seen| {
-            let visible = seen.iter().filter(|seen| !seen.is_hidden);
-            row.push(visible.map(shown).collect());
-        });
+        picture.row(y, |_, seen| row.push(shown(seen)));
         row
     })
+}
+
+/// The surfaces of a pixel that it may show.
+fn shown<R: Real>(seen: &[Seen<R>]) -> Vec<FaceLevels> {
+    let visible = seen.iter().filter(|seen| !seen.is_hidden);
+    let levels = |seen: &Seen<R>| (seen.face(), ends(seen.levels));
+    visible.map(levels).collect()
 }
 
 /// The lower and the upper bound of a pixel's error. `full` and `without` are the surfaces that it may show in the full

@@ -64,7 +64,7 @@ impl ProbedSurface {
             LightKind::Specular => format!("(o.r)^{}", self.shininess),
             _ => "n.l".to_owned(),
         };
-        let [a, b, c] = light.corner_factors;
+        let [a, b, c] = light.vertex_factors;
         let evidence = format!(
             "{factor} of {name} is {a:.2}, {b:.2} and {c:.2} at the vertices, and {here:.2} here."
         );
@@ -84,7 +84,7 @@ impl ProbedSurface {
             format!("No vertex lies in the highlight of {name}, so interpolation cannot find it")
         } else if !is_specular && is_less && here > most {
             format!("The surface faces {name} more here than at any vertex")
-        } else if !is_specular && light.corner_factors.contains(&0.0) {
+        } else if !is_specular && light.vertex_factors.contains(&0.0) {
             format!("A vertex faces away from {name}: n.l is negative there and counts as 0")
         } else {
             let course = if is_less { "above" } else { "below" };

@@ -68,10 +68,10 @@ impl Probe {
         }
         if let Some(sample) = sample {
             let decimals = |numbers: [f64; 3]| joined(numbers.map(|it| format!("{it:.5}")));
-            row("factor at", &joined(TRIANGLES[sample.triangle]));
+            row("factor at", &joined(vertices(sample)));
             row("weight", &decimals(sample.weights));
             for light in lights {
-                row(&light.name, &decimals(light.corner_factors));
+                row(&light.name, &decimals(light.vertex_factors));
             }
         }
         let channels = joined(["r", "g", "b"]);
@@ -128,6 +128,18 @@ impl Probe {
             },
         })
     }
+}
+
+/// The names of the vertices: the numbers of the corners, or the column and the row of the face's grid, from 0.
+fn vertices(sample: &Sample) -> [String; 3] {
+    if sample.segments == 1 {
+        return TRIANGLES[sample.triangle].map(|corner| corner.to_string());
+    }
+    let axis = sample.triangle / 4;
+    sample.vertices.map(|vertex| {
+        let number = |along: usize| (vertex[along % 3] + 0.5) * sample.segments as f64;
+        format!("{:.0},{:.0}", number(axis + 1), number(axis + 2))
+    })
 }
 
 /// The levels after the display step.

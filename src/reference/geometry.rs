@@ -327,7 +327,17 @@ impl<R: Real> CuboidGeometry<R> {
         share
     }
 
-    /// The corners of one triangle of a face and their barycentric weights at a place: their sum is 1, and inside the
+    /// [`FacePoint::share`] of a corner.
+    pub fn corner_share(&self, corner: usize) -> RealVector<R> {
+        RealVector::exact(self.mesh.corners[corner].signum() / 2.0)
+    }
+
+    /// The point with this share, relative to the cuboid's centre.
+    pub fn from_centre(&self, share: RealVector<R>) -> RealVector<R> {
+        (share + share).zip(RealVector::exact(self.mesh.corners[7]), R::mul)
+    }
+
+    /// The corners of one triangle of a face and their barycentric weights at a point: their sum is 1, and inside the
     /// triangle each is in 0..=1.
     ///
     /// ```text
@@ -337,9 +347,9 @@ impl<R: Real> CuboidGeometry<R> {
     ///        |      .'        |
     ///     a (-, -)-----------(+, -)
     /// ```
-    pub fn weights(face: usize, is_first: bool, place: &FacePoint<R>) -> ([usize; 3], [R; 3]) {
+    pub fn weights(face: usize, is_first: bool, share: RealVector<R>) -> ([usize; 3], [R; 3]) {
         let (axis, outwards) = across(face);
-        let [u, v] = face_axes(axis).map(|axis| place.share.0[axis]);
+        let [u, v] = face_axes(axis).map(|axis| share.0[axis]);
         let half = R::of(0.5);
         let is_swapped = is_first != (outwards > 0.0);
         let (larger, smaller) = if is_swapped { (v, u) } else { (u, v) };

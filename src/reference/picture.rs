@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use glam::DVec3;
 use hecs::World;
 use rayon::prelude::*;
 
@@ -14,8 +13,8 @@ use super::real::{Real, RealVector};
 use super::rule::Rule;
 use super::sight::{Place, Sight};
 use crate::components::{
-    FileOrder, Light, Material, Mesh, NormalMode, ShadingMode, Transform, TriangleId, View,
-    in_file_order,
+    FileOrder, Light, Material, Mesh, NormalMode, Segments, ShadingMode, Transform, TriangleId,
+    View, in_file_order,
 };
 use crate::memory;
 use crate::report::Monitor;
@@ -52,6 +51,7 @@ type Cuboid<'a> = (
     &'a Material,
     &'a NormalMode,
     &'a ShadingMode,
+    &'a Segments,
 );
 
 /// A cuboid: its geometry (`solid`) and its illumination (`surface`).
@@ -61,6 +61,8 @@ pub struct ReferenceCuboid<R> {
     pub solid: CuboidGeometry<R>,
     pub surface: ReferenceSurface<R>,
     mode: ShadingMode,
+    /// The cells along an edge of a face under Gouraud.
+    pub segments: usize,
 }
 
 /// A cuboid that a line of sight may hit.
@@ -72,8 +74,8 @@ pub struct Met<'a, R> {
 /// A surface, or the background, that a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// `None` is the background. Under Phong the two triangles of a face do not differ, so near
-    /// the diagonal this is the first one.
+    /// `None` is the background. Under Phong, and Gouraud with several cells, the two triangles of a face do not differ, so
+    /// near the diagonal this is the first one.
     pub triangle: Option<TriangleId>,
     /// Unclamped levels of 255.
     pub levels: [R; 3],
@@ -104,7 +106,7 @@ impl<R: Real> Reference<R> {
         lights.retain(|(_, light)| light.on);
         let cuboids = in_file_order::<Cuboid, _>(
             world,
-            |(order, transform, mesh, material, normals, mode)| {
+            |(order, transform, mesh, material, normals, mode, segments)| {
                 let transform = &transform.turned(view.turned);
                 let bounds = enclosed.bounds(transform, mesh);
                 let solid = CuboidGeometry::new(&sight, transform, mesh, bounds);
@@ -116,6 +118,7 @@ impl<R: Real> Reference<R> {
                     ),
                     solid,
                     mode: view.mode(*mode),
+                    segments: view.segments(*segments).count(),
                 }
             },
         );
@@ -137,6 +140,12 @@ impl<R: Real> Reference<R> {
             self.see([x, y], &met, &mut seen);
             each(x, &seen);
         }
+    }
+
+    /// The columns and rows in which each cuboid may be visible, in file order.
+    pub fn bounds(&self) -> Vec<[Range<usize>; 2]> {
+        let bounds = |it: &ReferenceCuboid<R>| [it.solid.columns.clone(), it.solid.rows.clone()];
+        self.cuboids.iter().map(bounds).collect()
     }
 
     /// The cuboids that may be visible in row `y`, in file order.
@@ -258,9 +267,14 @@ impl<R: Real> ReferenceCuboid<R> {
     }
 
     /// Whether the place may be on the first triangle of its face, on the second, or on both (near the diagonal). Under
-    /// perspective-correct Phong the triangles do not differ, and the first stands for both.
+    /// perspective-correct Phong, and Gouraud with several cells, the triangles do not differ, and the first stands for both.
     fn triangles(&self, place: &FacePoint<R>) -> &'static [bool] {
-        let differ = self.mode != ShadingMode::Phong || !self.surface.is_perspective_correct();
+        let differ = match self.mode {
+            _ if !self.surface.is_perspective_correct() => true,
+            ShadingMode::Phong => false,
+            ShadingMode::Gouraud => self.segments == 1,
+            ShadingMode::UnitVectors => true,
+        };
         match place.is_on_first {
             Some(false) => &[false],
             None if differ => &[true, false],
@@ -273,7 +287,7 @@ impl<R: Real> ReferenceCuboid<R> {
         if self.mode == ShadingMode::Phong && self.surface.is_perspective_correct() {
             return self.surface.phong(face, place, open);
         }
-        let (corners, mut weights) = CuboidGeometry::weights(face, is_first, place);
+        let (corners, mut weights) = CuboidGeometry::weights(face, is_first, place.share);
         if self.mode == ShadingMode::UnitVectors {
             let weights = self.solid.shortcut_weights(corners, weights);
             return self.surface.unit_vectors(face, corners, weights, open);
@@ -281,23 +295,45 @@ impl<R: Real> ReferenceCuboid<R> {
         if !self.surface.is_perspective_correct() {
             weights = self.solid.weights_on_screen(corners, weights);
         }
+        // Of a grid of cells the weights on the screen give the point of the face, and the point its cell.
+        let place = if self.surface.is_perspective_correct() {
+            *place
+        } else {
+            self.blended(corners, weights)
+        };
         if self.mode == ShadingMode::Gouraud {
-            return self.surface.gouraud(face, corners, weights, open);
+            return self.gouraud(face, corners, weights, place.share, open);
         }
-        let place = self.blended(corners, weights);
         self.surface.phong(face, &place, open)
+    }
+
+    /// Gouraud at a point that is given by its share, and by its weights on a triangle of the face.
+    pub fn gouraud(
+        &self,
+        face: usize,
+        corners: [usize; 3],
+        weights: [R; 3],
+        share: RealVector<R>,
+        open: Open,
+    ) -> Lit<R> {
+        let Self { solid, surface, .. } = self;
+        match self.segments {
+            1 => surface.gouraud(face, corners, weights, open),
+            segments => surface.gouraud_on_grid(solid, face, share, segments, open),
+        }
     }
 
     /// The place interpolated between the corners.
     fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> FacePoint<R> {
-        let corners = corners.map(|corner| self.solid.mesh.corners[corner]);
-        let [a, b, c] = corners.map(RealVector::exact);
-        let share = |corner: DVec3| RealVector::exact(corner.signum() / 2.0);
+        let [a, b, c] = corners.map(|corner| RealVector::exact(self.solid.mesh.corners[corner]));
         // Only differences of corners are weighted: weights of a distant eye would cost precision.
         let point = a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2];
         FacePoint {
             point,
-            share: blend(corners.map(share), weights),
+            share: blend(
+                corners.map(|corner| self.solid.corner_share(corner)),
+                weights,
+            ),
             to_eye: self.solid.to_eye(point),
             is_on_first: None,
         }

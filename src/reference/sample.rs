@@ -4,6 +4,7 @@ use glam::DVec3;
 use hecs::World;
 use serde::Serialize;
 
+use super::cells::touched;
 use super::geometry::CuboidGeometry;
 use super::illumination::{blend, reflection};
 use super::picture::{Met, Reference, ReferenceCuboid};
@@ -17,7 +18,12 @@ pub struct Sample {
     pub object: usize,
     /// The triangle's index in [`crate::components::TRIANGLES`].
     pub triangle: usize,
-    /// The barycentric weights of its corners on the triangle; their sum is 1.
+    /// The cells along an edge of a face under Gouraud.
+    pub segments: usize,
+    /// The vertices between which Gouraud interpolates: the corners of the triangle, or those of a cell's triangle. Each is
+    /// given along the cuboid's axes, relative to its centre, divided by the lengths of its edges: -1/2..=1/2.
+    pub vertices: [DVec3; 3],
+    /// The barycentric weights of these vertices; their sum is 1.
     pub weights: [f64; 3],
     /// The visible point, in world units.
     pub position: DVec3,
@@ -49,9 +55,9 @@ pub struct LightSample {
     /// The factor of its strength at the point: max(0, n.l), max(0, o.r)^rho where n.l > 0, or 1 for an ambient light.
     #[serde(skip)]
     pub factor: f64,
-    /// The factor at the corners of the triangle, in its order.
+    /// The factor at [`Sample::vertices`].
     #[serde(skip)]
-    pub corner_factors: [f64; 3],
+    pub vertex_factors: [f64; 3],
     /// Coefficient of the material * colour * intensity * gain, in levels of 255.
     #[serde(skip)]
     pub strength: DVec3,
@@ -82,11 +88,21 @@ pub fn in_row(world: &World, view: &View, y: usize, columns: &[usize]) -> Vec<Op
 impl Reference<f64> {
     /// The evaluation where a line of sight meets a cuboid. `names` has the names of the lights that are on.
     fn sample(&self, met: &Met<f64>, names: &[String]) -> Option<Sample> {
-        let ReferenceCuboid { solid, surface, .. } = met.cuboid;
+        let ReferenceCuboid {
+            solid,
+            surface,
+            segments,
+            ..
+        } = met.cuboid;
         let (face, place) = met.meeting.points.first()?;
         let is_first = place.is_on_first?;
-        let (corners, weights) = CuboidGeometry::weights(*face, is_first, place);
-        let (normal, to_eye) = (surface.normal(*face, place), place.to_eye);
+        let (corners, on_face) = CuboidGeometry::weights(*face, is_first, place.share);
+        let (vertices, weights) = if *segments == 1 {
+            (corners.map(|corner| solid.corner_share(corner)), on_face)
+        } else {
+            touched(*face, place.share, *segments).pop()?
+        };
+        let (normal, to_eye) = (surface.normal(*face, place.share), place.to_eye);
         let to_world = |v: RealVector<f64>| {
             let [x, y, z] = v.0;
             (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
@@ -95,9 +111,9 @@ impl Reference<f64> {
         let lights = lights.map(|(index, (light, name))| {
             let to_light = surface.to_light(index, place);
             let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
-            let corner_factors =
-                corners.map(|corner| surface.factor_at_corner(index, *face, corner));
-            let corner_levels = corner_factors.map(|factor| light.levels * factor);
+            let vertex_factors =
+                vertices.map(|vertex| surface.factor_at_vertex(solid, index, *face, vertex));
+            let vertex_levels = vertex_factors.map(|factor| light.levels * factor);
             let is_directed =
                 light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
             let directed = |vector| is_directed.then(|| to_world(vector));
@@ -107,24 +123,26 @@ impl Reference<f64> {
                 to_light: directed(to_light),
                 reflected: directed(reflection(normal, to_light)),
                 factor,
-                corner_factors,
+                vertex_factors,
                 strength: light.levels.to_dvec3(),
-                gouraud: blend(corner_levels, weights).to_dvec3(),
+                gouraud: blend(vertex_levels, weights).to_dvec3(),
                 phong: (light.levels * factor).to_dvec3(),
             }
         });
-        let on_screen = solid.shortcut_weights(corners, weights);
+        let on_screen = solid.shortcut_weights(corners, on_face);
         let normals = corners.map(|corner| surface.corner_normal(*face, corner));
         Some(Sample {
             object: met.cuboid.number,
             triangle: 2 * face + usize::from(!is_first),
+            segments: *segments,
+            vertices: vertices.map(RealVector::to_dvec3),
             weights,
             position: self.sight.eye + to_world(place.point),
             normal: to_world(normal),
             to_eye: to_world(to_eye),
             lights: lights.collect(),
-            gouraud: surface
-                .gouraud(*face, corners, weights, 0)
+            gouraud: (met.cuboid)
+                .gouraud(*face, corners, on_face, place.share, 0)
                 .levels
                 .to_dvec3(),
             phong: surface.phong(*face, place, 0).levels.to_dvec3(),

@@ -9,8 +9,8 @@
 //! the numbers of the scene that it uses, and the result of each of its operations. All other stages are computed in f64:
 //!
 //! ```text
-//! positions                  P = a P1 + b P2 + c P3          (Gouraud: the corners)
-//! normals                    n = unit(a n1 + b n2 + c n3)    (Gouraud: those of the corners)
+//! positions                  P = a P1 + b P2 + c P3          (Gouraud: the vertices)
+//! normals                    n = unit(a n1 + b n2 + c n3)    (Gouraud: those of the vertices)
 //! vectors to light and eye   l = unit(L - P), o = unit(O - P)
 //! dot products               n.l, r = 2 (n.l) n - l, o.r
 //! power                      2^(rho log2(o.r))
@@ -21,12 +21,12 @@
 
 use std::array::from_fn;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use serde::Serialize;
 
 use super::{error, rows};
 use crate::components::{
-    FACES, LightKind, Mesh, NormalMode, Projection, ShadingMode, TRIANGLES, Transform, View,
+    FACES, LightKind, NormalMode, Projection, Segments, ShadingMode, Transform, View,
 };
 use crate::metrics::ends;
 use crate::reference::{Interval, LightSample, Reference, Sample, in_row};
@@ -216,12 +216,12 @@ impl Trial<'_> {
         levels
     }
 
-    /// The levels of a pixel. `corners` are the positions and the normals of the triangle's corners.
-    fn levels(self, corners: [[DVec3; 2]; 3]) -> DVec3 {
+    /// The levels of a pixel. `vertices` are the positions and the normals of [`Sample::vertices`].
+    fn levels(self, vertices: [[DVec3; 2]; 3]) -> DVec3 {
         use Stage::{Normals, Positions, Sum};
         let weights = self.sample.weights;
         if self.scene.cuboid[self.sample.object].shading == ShadingMode::Gouraud {
-            let lit = corners.map(|[point, normal]| {
+            let lit = vertices.map(|[point, normal]| {
                 self.lit([
                     self.rounded_vector(Positions, point),
                     self.rounded_vector(Normals, normal),
@@ -229,8 +229,8 @@ impl Trial<'_> {
             });
             return self.blend(Sum, lit, weights);
         }
-        let point = self.blend(Positions, corners.map(|[point, _]| point), weights);
-        let normal = self.blend(Normals, corners.map(|[_, normal]| normal), weights);
+        let point = self.blend(Positions, vertices.map(|[point, _]| point), weights);
+        let normal = self.blend(Normals, vertices.map(|[_, normal]| normal), weights);
         self.lit([point, self.unit(Normals, normal)])
     }
 }
@@ -243,22 +243,28 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     let view = &view.unshaded();
     let mut record = SceneRecord::of(&scene.world);
     record.light.retain(|light| light.on);
-    let corners = |cuboid: &CuboidRecord| {
+    // Phong interpolates between the corners of the face. It does not depend on the segments.
+    let phong = |it: &&mut CuboidRecord| it.shading == ShadingMode::Phong;
+    for cuboid in record.cuboid.iter_mut().filter(phong) {
+        cuboid.segments = Segments::default();
+    }
+    let sampled = Scene::spawn(scene.name.clone(), &record);
+    let axes_of = |cuboid: &CuboidRecord| {
         let (position, rotation) = (cuboid.position, cuboid.rotation);
-        let axes = Transform { position, rotation }.turned(view.turned).axes();
-        let corners = Mesh::cuboid(cuboid.size).corners;
-        from_fn::<_, 12, _>(|triangle| {
-            TRIANGLES[triangle].map(|corner| {
-                let corner = corners[usize::from(corner)];
-                let normal = match cuboid.normals {
-                    NormalMode::Corner => corner.signum().normalize(),
-                    NormalMode::Face => corner.signum() * DVec3::AXES[triangle / 4],
-                };
-                [position + axes * corner, axes * normal]
-            })
-        })
+        Transform { position, rotation }.turned(view.turned).axes()
     };
-    let corners: Vec<_> = record.cuboid.iter().map(corners).collect();
+    let axes: Vec<DMat3> = record.cuboid.iter().map(axes_of).collect();
+    let vertex = |sample: &Sample, share: DVec3| {
+        let (cuboid, axes) = (&record.cuboid[sample.object], axes[sample.object]);
+        let normal = match cuboid.normals {
+            NormalMode::Corner => share.normalize(),
+            NormalMode::Face => 2.0 * share * DVec3::AXES[sample.triangle / 4],
+        };
+        [
+            cuboid.position + axes * (share * cuboid.size),
+            axes * normal,
+        ]
+    };
     let enclosures = rows(Reference::<Interval>::new(&scene.world, view));
     let columns: Vec<usize> = (0..view.size[0]).collect();
     let formats = Format::tried();
@@ -267,12 +273,11 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
     // The largest error of a row in each trial.
     let row = |y: usize| {
         let mut errors = vec![0.0_f64; trials.len()];
-        let samples = in_row(&scene.world, view, y, &columns);
+        let samples = in_row(&sampled.world, view, y, &columns);
         for (full, sample) in enclosures(y).iter().zip(&samples) {
             let Some(sample) = sample else { continue };
-            let (object, triangle) = (sample.object, sample.triangle);
-            let vertices = corners[object][triangle];
-            let face = Some(object * FACES.len() + triangle / 2);
+            let vertices = sample.vertices.map(|share| vertex(sample, share));
+            let face = Some(sample.object * FACES.len() + sample.triangle / 2);
             for (largest, &(stage, format)) in errors.iter_mut().zip(&trials) {
                 let trial = Trial {
                     stage,

@@ -5,6 +5,7 @@
 use serde_json::json;
 
 use super::bits::{StageBits, bits};
+use super::segments::{FewestSegments, fewest_segments};
 use super::{Part, PartChange, least, part_changes, ranked, without};
 use crate::components::View;
 use crate::drawing::Drawing;
@@ -17,11 +18,15 @@ use crate::scene::{Scene, SceneRecord, updated};
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
 
+const LEGEND_OF_SEGMENTS: &str = "segments: the fewest cells along an edge of a face with which Gouraud keeps the tolerance against \
+    exact Phong, 1 to 256, while all other cuboids have exact Phong; largest error: with that number, or with 256, in levels of \
+    255, proven.";
+
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
     least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \
     number of bits, in levels of 255, proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
 
-/// Prints the parts and the bits that a picture requires, and writes a reduced scene to `least_scene`.
+/// Prints the parts, the segments and the bits that a picture requires, and writes a reduced scene to `least_scene`.
 ///
 /// # Errors
 /// If the picture does not fit in memory or the output cannot be written.
@@ -29,11 +34,13 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = with_bar(|monitor| part_changes(&drawing.scene, &view, monitor))?;
     let stages = with_bar(|monitor| bits(&drawing.scene, &view, monitor))?;
+    let segments = with_bar(|monitor| fewest_segments(&drawing.scene, &view, monitor))?;
     let record = json!({
         "scene": drawing.scene.name,
         "tolerance": view.tolerance,
         "views": 1,
         "parts": rows,
+        "segments": segments,
         "bits": stages,
     });
     let rows = ranked(rows);
@@ -42,7 +49,8 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
         let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
         let cells = stages.iter().map(StageBits::cells);
         let bits = [aligned(&head, cells), wrapped(LEGEND_OF_BITS)];
-        [&parts[..], &bits[..]].concat().join("\n\n")
+        let segments = [table_of_segments(&segments), wrapped(LEGEND_OF_SEGMENTS)];
+        [&parts[..], &segments[..], &bits[..]].concat().join("\n\n")
     })?;
     match least_scene {
         Some(output) => write_least(&subject, &drawing.scene, &view, rows, output),
@@ -61,6 +69,19 @@ fn table(rows: &[PartChange]) -> String {
         ]
     };
     let head = ["part", "largest error", "pixels", "required"];
+    aligned(&head, rows.iter().map(cells))
+}
+
+/// The table of the segments that cuboids require.
+fn table_of_segments(rows: &[FewestSegments]) -> String {
+    let cells = |row: &FewestSegments| {
+        [
+            row.cuboid.clone(),
+            row.number(),
+            interval(row.largest_error, short),
+        ]
+    };
+    let head = ["cuboid under Gouraud", "segments", "largest error"];
     aligned(&head, rows.iter().map(cells))
 }
 

@@ -13,6 +13,7 @@ use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::Monitor;
 use crate::requires::PartChange;
+use crate::requires::segments::FewestSegments;
 use crate::shading::Method;
 use crate::trade::Measurement;
 
@@ -43,6 +44,7 @@ pub struct Facts {
     pub comparison: Latest<Comparison>,
     pub proof: Latest<Proof>,
     pub required: Latest<Vec<PartChange>>,
+    pub segments: Latest<Vec<FewestSegments>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Latest<Vec<Measurement>>,
 }
@@ -54,6 +56,7 @@ impl Facts {
         self.comparison.is_current = false;
         self.proof.is_current = false;
         self.required.is_current = false;
+        self.segments.is_current = false;
         self.trade.is_current &= is_same_view;
     }
 
@@ -86,6 +89,7 @@ pub enum Question {
     Measure,
     Prove,
     Require,
+    CountSegments,
 }
 
 /// The threads that answer questions; one core is left for the window.

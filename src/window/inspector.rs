@@ -93,6 +93,15 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
     let parts = facts.required.value.iter().flatten().map(part);
     let rows = iter::once(head).chain(parts);
     table(ui, "required", rows);
+    if facts.required.is_current {
+        wait(ui, study, &facts.segments);
+    }
+    for cuboid in facts.segments.value.iter().flatten() {
+        let label = ui.label(cuboid.sentence());
+        label.on_hover_text(
+            "The fewest cells of each face with which Gouraud keeps the tolerance against exact Phong, proven.",
+        );
+    }
 }
 
 /// Lays out a table with a tooltip for each row. The words in its last column wrap.

@@ -20,6 +20,7 @@ use crate::frame::Workers;
 use crate::probe;
 use crate::prove::prove;
 use crate::report::Monitor;
+use crate::requires::segments::fewest_segments;
 use crate::requires::{part_changes, ranked};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{Method, methods};
@@ -184,6 +185,12 @@ impl Study {
                 Question::Require,
                 |facts| &mut facts.required,
                 |scene, view, monitor| part_changes(scene, view, monitor).map(ranked),
+            );
+            self.find(
+                subject,
+                Question::CountSegments,
+                |facts| &mut facts.segments,
+                |scene, view, monitor| fewest_segments(scene, view, monitor),
             );
         }
     }

@@ -8,12 +8,13 @@ mod naive;
 mod picture;
 mod scenes;
 mod search;
+mod segments;
 
 use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::View;
 use shadetrade::prove::{Proof, prove};
-use shadetrade::reference::{Interval, Reference, Seen};
+use shadetrade::reference::{Interval, Reference, Rule, Seen};
 use shadetrade::report::Monitor;
 
 /// The proof of the renderer's picture.
@@ -23,7 +24,12 @@ pub fn proof(world: &mut World, view: &View) -> Proof {
 
 /// The surfaces that each pixel may show, row by row from the top.
 fn enclosures(world: &World, view: &View) -> Vec<Vec<Seen<Interval>>> {
-    let reference = Reference::<Interval>::new(world, view);
+    enclosures_without(world, view, None)
+}
+
+/// The surfaces that each pixel may show without a rule of the model.
+fn enclosures_without(world: &World, view: &View, rule: Option<Rule>) -> Vec<Vec<Seen<Interval>>> {
+    let reference = Reference::<Interval>::without(world, view, rule);
     let mut pixels = Vec::new();
     for y in 0..view.size[1] {
         reference.row(y, |_, seen| pixels.push(seen.to_vec()));

@@ -5,7 +5,9 @@ use std::sync::Mutex;
 
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, TriangleId, View};
+use shadetrade::components::{
+    LightKind, Material, NormalMode, Projection, Segments, ShadingMode, TriangleId, View, overwrite,
+};
 use shadetrade::reference::{Sample, in_row, picture};
 use shadetrade::report::Monitor;
 
@@ -227,4 +229,67 @@ fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancel
         ..Monitor::NONE
     };
     assert!(picture(&world, &view, 0..30, cancelled).is_err());
+}
+
+/// Asserts the level of Gouraud with this many segments at points (x, y) of the face z = 2 of a cube from -2 to 2.
+#[track_caller]
+fn assert_levels(world: &World, segments: u32, points: &[([i32; 2], f64)]) {
+    for projection in Projection::ALL {
+        let mut view =
+            view([5, 5], DVec3::Z * 12.0, DVec3::ZERO, projection).shaded(ShadingMode::Gouraud);
+        (view.camera.height, view.camera.fov) = (5.0, 2.0 * 0.25_f64.atan().to_degrees());
+        view.segments = Segments::new(segments);
+        let truth = truth(world, &view);
+        for &([x, y], level) in points {
+            let [found, ..] = truth.levels[((2 - y) * 5 + 2 + x) as usize];
+            assert!(
+                (found - level).abs() < 1e-9,
+                "{found} at {x}, {y}, not {level}, of {segments}"
+            );
+        }
+    }
+}
+
+/// The light stands 2 above the middle of the face. n.l is 1 there, 1 / sqrt(2) in the middle of an edge, 1 / sqrt(3) at a
+/// corner.
+#[test]
+fn two_cells_along_an_edge_find_the_light_above_the_middle_of_a_face() {
+    let mut world = turned([4.0; 3], 0.0);
+    overwrite(&mut world, &NormalMode::Face);
+    shine(&mut world, LightKind::Diffuse, 90.0, DVec3::Z * 4.0);
+    let [edge, corner] = [2.0_f64, 3.0].map(|square| 90.0 / square.sqrt());
+    assert_levels(
+        &world,
+        1,
+        &[([0, 0], corner), ([1, 0], corner), ([1, -1], corner)],
+    );
+    let points = [
+        ([0, 0], 90.0),
+        ([1, 0], (90.0 + edge) / 2.0),
+        // On the diagonals of two cells, which are parallel to that of the face. Two others are cut there.
+        ([1, 1], (90.0 + corner) / 2.0),
+        ([-1, -1], (90.0 + corner) / 2.0),
+        ([1, -1], edge),
+        ([-1, 1], edge),
+    ];
+    assert_levels(&world, 2, &points);
+}
+
+/// The light is infinitely far along z. The normal at (x, y) goes with (x / 2, y / 2, 1). With four segments every pixel lies
+/// on a point of the grid and shows Phong's level. With two, linear interpolation errs in the middle of a cell's edge.
+#[test]
+fn on_a_point_of_the_grid_gouraud_is_phong_and_between_two_the_mean() {
+    let mut world = turned([4.0; 3], 0.0);
+    shine(&mut world, LightKind::Diffuse, 90.0, DVec3::Z * 1e15);
+    let phong = |x: i32, y: i32| 90.0 / (1.0 + f64::from(x * x + y * y) / 4.0).sqrt();
+    let points = (-2..2).flat_map(|x| (-1..3).map(move |y| [x, y]));
+    let levels: Vec<_> = points.map(|[x, y]| ([x, y], phong(x, y))).collect();
+    assert_levels(&world, 4, &levels);
+    let mean = |[x, y]: [i32; 2], [u, v]: [i32; 2]| (phong(x, y) + phong(u, v)) / 2.0;
+    let points = [
+        ([1, 0], mean([0, 0], [2, 0])),
+        ([-1, 1], mean([-2, 0], [0, 2])),
+        ([-2, 1], mean([-2, 0], [-2, 2])),
+    ];
+    assert_levels(&world, 2, &points);
 }

@@ -4,6 +4,7 @@ mod bits;
 mod known;
 mod least;
 mod scenes;
+mod segments;
 mod sixteen;
 
 use glam::DVec3;

@@ -5,7 +5,8 @@ use hecs::World;
 
 use super::*;
 use crate::components::{
-    Camera, FileOrder, Material, Mesh, NormalMode, Projection, ShadingMode, Transform, View,
+    Camera, FileOrder, Material, Mesh, NormalMode, Projection, Segments, ShadingMode, Transform,
+    View,
 };
 use crate::reference::edge::EDGE;
 use crate::reference::interval::Interval;
@@ -44,6 +45,7 @@ fn spawn(world: &mut World, transform: Transform, size: DVec3) {
         material,
         ShadingMode::Phong,
         NormalMode::Corner,
+        Segments::default(),
     ));
 }
 

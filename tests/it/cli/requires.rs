@@ -11,7 +11,7 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
     let line = "requires --size 32x24 --shading phong --tolerance 4 --lights white,ambient --json";
     let (status, found) = json(folder().path(), line);
     assert_eq!(status, Some(0));
-    assert_eq!(keys(&found), "scene tolerance views parts bits");
+    assert_eq!(keys(&found), "scene tolerance views parts segments bits");
     let of_scene = json!([found["scene"], found["tolerance"], found["views"]]);
     assert_eq!(of_scene, json!(["cuboid", 4.0, 1]));
     let expected = [
@@ -38,6 +38,15 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
         assert_eq!(part["required"], json!(most > 4.0), "{part:?}");
         assert_eq!(part["pixels"].as_u64() > Some(0), least > 4.0, "{part:?}");
     }
+    let [emerald] = &found["segments"].as_array().expect("a list")[..] else {
+        panic!("one cuboid")
+    };
+    assert_eq!(keys(emerald), "cuboid segments largest_error");
+    assert_eq!(emerald["cuboid"], "emerald");
+    // The highlight needs many more than two.
+    let segments = emerald["segments"].as_u64().expect("a number");
+    assert!((2..=256).contains(&segments), "{emerald:?}");
+    assert!(emerald["largest_error"][1].as_f64() <= Some(4.0));
     let stages = found["bits"].as_array().expect("a list");
     assert_eq!((stages.len(), &stages[1]["stage"]), (6, &json!("normals")));
     for stage in stages {
@@ -82,6 +91,7 @@ fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() 
         "cuboid emerald",
         "light ambient",
         "near plane",
+        "emerald",
         "positions",
         "sum",
     ];

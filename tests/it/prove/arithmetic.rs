@@ -20,7 +20,7 @@ fn holds(enclosure: Interval, value: &Big) -> bool {
 
 /// Compares every `stride`-th pixel with a single possible surface; returns the largest width of an enclosure and the
 /// number of pixels.
-fn compare(
+pub fn compare(
     scene: &Scene,
     width: usize,
     pixels: &[Vec<Seen<Interval>>],

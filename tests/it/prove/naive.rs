@@ -11,8 +11,8 @@ use dashu_float::round::mode::HalfEven;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{
-    Light, LightKind, Material, Mesh, NormalMode, Projection, ShadingMode, TRIANGLES, Transform,
-    View,
+    FACES, Light, LightKind, Material, Mesh, NormalMode, Projection, Segments, ShadingMode,
+    TRIANGLES, Transform, View,
 };
 
 /// A float of [`BITS`] bits.
@@ -86,7 +86,7 @@ fn unit(v: &Vector) -> Vector {
 /// A scene and a view of it.
 pub struct Scene<'a> {
     view: &'a View,
-    cuboids: Vec<([Corner; 8], Material, NormalMode, ShadingMode)>,
+    cuboids: Vec<([Corner; 8], Material, NormalMode, ShadingMode, usize)>,
     lights: Vec<(Vector, Light)>,
     /// The view direction, and the change per pixel right and up of a direction (perspective) or a position
     /// (orthographic).
@@ -104,8 +104,14 @@ struct Corner {
 
 impl<'a> Scene<'a> {
     pub fn new(world: &World, view: &'a View) -> Self {
-        let mut cuboids =
-            world.query::<(&Transform, &Mesh, &Material, &NormalMode, &ShadingMode)>();
+        let mut cuboids = world.query::<(
+            &Transform,
+            &Mesh,
+            &Material,
+            &NormalMode,
+            &ShadingMode,
+            &Segments,
+        )>();
         let mut lights = world.query::<(&Transform, &Light)>();
         let camera = &view.camera;
         let forward = unit(&minus(&exact(camera.target), &exact(view.camera.position)));
@@ -123,9 +129,10 @@ impl<'a> Scene<'a> {
             view,
             cuboids: cuboids
                 .iter()
-                .map(|(transform, mesh, material, normals, mode)| {
+                .map(|(transform, mesh, material, normals, mode, segments)| {
                     let corners = mesh.corners.map(|corner| Corner::new(transform, corner));
-                    (corners, *material, *normals, *mode)
+                    let segments = view.segments(*segments).count();
+                    (corners, *material, *normals, *mode, segments)
                 })
                 .collect(),
             lights: lights
@@ -141,7 +148,8 @@ impl<'a> Scene<'a> {
 
     /// The levels of a face (cuboid * 6 + face) where the line of sight of a pixel intersects its plane.
     pub fn levels(&self, face: usize, [x, y]: [usize; 2]) -> Vector {
-        let (corners, material, normals, mode) = &self.cuboids[face / 6];
+        let (corners, material, normals, mode, segments) = &self.cuboids[face / 6];
+        let all = corners;
         let [from, along] = self.sight(x, y);
         let triangles = [0, 1].map(|second| {
             TRIANGLES[2 * (face % 6) + second].map(|corner| &corners[usize::from(corner)])
@@ -184,6 +192,13 @@ impl<'a> Scene<'a> {
         let lit =
             |place: &Vector, normal: &Vector| self.lit(material, place, normal, &to_eye(place));
         if self.view.shading.unwrap_or(*mode) == ShadingMode::Gouraud {
+            if *segments > 1 {
+                let face = FACES[face % 6].map(|corner| all[usize::from(corner)].clone());
+                let parts = weighted_vertices(&face, &place, *segments).map(|(vertex, weight)| {
+                    times(&lit(&vertex.place, &unit(&normal_of(&vertex))), &weight)
+                });
+                return plus(&plus(&parts[0], &parts[1]), &parts[2]);
+            }
             return blend(&|corner| lit(&corner.place, &normal_of(corner)));
         }
         let normal = blend(&normal_of);
@@ -232,6 +247,56 @@ impl<'a> Scene<'a> {
         }
         levels
     }
+}
+
+/// The vertices of the triangle of a cell that a place of a face lies on, not normalised normals, and their weights.
+fn weighted_vertices(
+    [a, b, _, d]: &[Corner; 4],
+    place: &Vector,
+    segments: usize,
+) -> [(Corner, Big); 3] {
+    let count = big(segments as f64);
+    // The cell along the edge from `a` to another corner, and the place in it.
+    let along = |to: &Corner| {
+        let edge = minus(&to.place, &a.place);
+        let share = dot(&minus(place, &a.place), &edge) / dot(&edge, &edge);
+        let steps = (share * count.clone()).clamp(big(0.0), count.clone());
+        let cell = steps.floor().min(count.clone() - big(1.0));
+        (cell.clone(), steps - cell)
+    };
+    let ((i, s), (j, t)) = (along(b), along(d));
+    let vertex = |right: f64, up: f64| {
+        let [right, up] =
+            [(&i, right), (&j, up)].map(|(cell, more)| (cell.clone() + big(more)) / count.clone());
+        let of = |value: fn(&Corner) -> &Vector| {
+            let from = value(a);
+            let steps =
+                [(b, &right), (d, &up)].map(|(to, share)| times(&minus(value(to), from), share));
+            plus(&plus(from, &steps[0]), &steps[1])
+        };
+        Corner {
+            place: of(|corner| &corner.place),
+            normal: of(|corner| &corner.normal),
+        }
+    };
+    let one = big(1.0);
+    if s >= t {
+        let weights = [one - s.clone(), s - t.clone(), t];
+        zip_weights(
+            [vertex(0.0, 0.0), vertex(1.0, 0.0), vertex(1.0, 1.0)],
+            weights,
+        )
+    } else {
+        let weights = [one - t.clone(), t - s.clone(), s];
+        zip_weights(
+            [vertex(0.0, 0.0), vertex(0.0, 1.0), vertex(1.0, 1.0)],
+            weights,
+        )
+    }
+}
+
+fn zip_weights([a, b, c]: [Corner; 3], [x, y, z]: [Big; 3]) -> [(Corner, Big); 3] {
+    [(a, x), (b, y), (c, z)]
 }
 
 impl Corner {

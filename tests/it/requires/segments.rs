@@ -1,0 +1,182 @@
+//! The fewest segments of Gouraud: numbers known on paper, and a search of all numbers in f64.
+
+use std::sync::Mutex;
+
+use glam::DVec3;
+use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
+use shadetrade::components::{
+    Mesh, NormalMode, Projection, Segments, ShadingMode, Transform, View, overwrite,
+};
+use shadetrade::metrics::pixel_error;
+use shadetrade::reference::Reference;
+use shadetrade::report::{CANCELLED, Monitor};
+use shadetrade::requires::segments::{FewestSegments, fewest_segments};
+use shadetrade::scene::Scene;
+
+use super::{cubes, from_z};
+use crate::support::scene::{at, view_from};
+
+fn of(scene: &Scene, view: &View) -> Vec<FewestSegments> {
+    fewest_segments(scene, view, Monitor::NONE).expect("nobody cancels it")
+}
+
+/// The largest error of each number of segments in f64, if only this cuboid has Gouraud shading.
+fn errors(scene: &Scene, view: &View, cuboid: usize) -> Vec<f64> {
+    let mut scene = scene.snapshot();
+    let modes = scene.world.query_mut::<(&Mesh, &mut ShadingMode)>();
+    for (number, (_, mode)) in modes.into_iter().enumerate() {
+        *mode = if number == cuboid {
+            ShadingMode::Gouraud
+        } else {
+            ShadingMode::Phong
+        };
+    }
+    let pixels = |view: &View| {
+        let mut levels = Vec::new();
+        let reference = Reference::<f64>::new(&scene.world, view);
+        for y in 0..view.size[1] {
+            reference.row(y, |_, seen| levels.push(seen[0].levels));
+        }
+        levels
+    };
+    let exact = pixels(&view.shaded(ShadingMode::Phong));
+    let error = |segments: u32| {
+        let drawn = pixels(&View {
+            segments: Segments::new(segments),
+            ..*view
+        });
+        let errors = drawn
+            .iter()
+            .zip(&exact)
+            .map(|(one, other)| pixel_error(*one, *other));
+        errors.fold(0.0, f64::max)
+    };
+    (1..=256).map(error).collect()
+}
+
+/// A pixel in the middle of a face, which the light above it lights fully. A vertex lies there if the number is even. The
+/// corners have 1 / sqrt(3) of the light's 200 levels: with face normals at the height of the light, 1 above the face; with
+/// their own if the light is far away.
+#[test]
+fn an_even_number_has_a_vertex_in_the_middle_of_a_face() {
+    let mut view = from_z(8.0, Projection::Perspective);
+    view.size = [1, 1];
+    for (mode, height) in [(NormalMode::Face, 2.0), (NormalMode::Corner, 1e13)] {
+        let mut scene = cubes(
+            &[at(DVec3::ZERO)],
+            &[(Diffuse, 200.0, DVec3::Z * height)],
+            &view,
+        );
+        overwrite(&mut scene.world, &mode);
+        let off = 200.0 * (1.0 - 1.0 / 3.0_f64.sqrt());
+        for (tolerance, segments, known) in [(0.5, 2, 0.0), (84.6, 1, off), (84.5, 2, 0.0)] {
+            let [found] = &of(&scene, &view.with_tolerance(tolerance))[..] else {
+                panic!("one cuboid")
+            };
+            assert_eq!(
+                (found.segments, found.undecided),
+                (Some(segments), 0),
+                "{mode:?}"
+            );
+            let [least, most] = found.largest_error;
+            assert!(
+                least <= known + 1e-9 && known <= most + 1e-9 && most - least < 1e-6,
+                "{found:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_answer_is_that_of_a_search_of_all_numbers() {
+    let mut view = from_z(9.0, Projection::Perspective);
+    view.size = [33, 25];
+    let places = [
+        at(DVec3::X * -1.5),
+        Transform {
+            rotation: DVec3::new(30.0, 50.0, 0.0),
+            ..at(DVec3::X * 1.5)
+        },
+    ];
+    let lights = [
+        (Ambient, 20.0, DVec3::ZERO),
+        (Diffuse, 150.0, DVec3::new(1.0, 2.0, 4.0)),
+        (Specular, 300.0, DVec3::new(-2.0, 1.0, 5.0)),
+    ];
+    let mut answers = Vec::new();
+    for normals in NormalMode::ALL {
+        let mut scene = cubes(&places, &lights, &view);
+        overwrite(&mut scene.world, &normals);
+        for tolerance in [0.0, 0.02, 0.5, 4.0] {
+            let view = view.with_tolerance(tolerance);
+            let limit = if tolerance > 0.0 { tolerance } else { 0.05 };
+            let found = of(&scene, &view);
+            for (cuboid, found) in found.iter().enumerate() {
+                let errors = errors(&scene, &view, cuboid);
+                let fewest = errors.iter().position(|error| *error <= limit);
+                let what = format!("{normals:?}, {tolerance}: {found:?}");
+                assert_eq!(
+                    (found.segments, found.undecided),
+                    (fewest.map(|it| it as u32 + 1), 0),
+                    "{what}"
+                );
+                let error = errors[fewest.unwrap_or(255)];
+                let [least, most] = found.largest_error;
+                assert!(
+                    least <= error + 1e-9 && error <= most + 1e-9 && most - least < 1e-6,
+                    "{what}, {error}"
+                );
+                answers.push(found.segments);
+            }
+            // The shading and the segments of the scene do not matter.
+            let mut other = scene.snapshot();
+            overwrite(&mut other.world, &ShadingMode::Gouraud);
+            overwrite(&mut other.world, &Segments::new(9).expect("a number"));
+            assert_eq!(of(&other, &view), found);
+        }
+    }
+    println!("{answers:?}");
+    answers.sort();
+    answers.dedup();
+    assert!(answers.len() > 6 && answers[0].is_none(), "{answers:?}");
+}
+
+/// From this distance f64 cannot tell where on a cuboid a pixel lies.
+#[test]
+fn numbers_that_intervals_do_not_decide_are_counted() {
+    let mut view = from_z(8.0, Projection::Perspective);
+    view.size = [5, 3];
+    view.camera.position = DVec3::new(1.0, 0.7, 1.3) * 1e22;
+    view.camera.fov = 1e-20;
+    let scene = cubes(
+        &[at(DVec3::ZERO)],
+        &[(Diffuse, 100.0, DVec3::Z * 8.0)],
+        &view,
+    );
+    let [found] = &of(&scene, &view)[..] else {
+        panic!("one cuboid")
+    };
+    assert_eq!((found.segments, found.undecided), (None, 256), "{found:?}");
+    assert!(found.sentence().contains("no grid"), "{}", found.sentence());
+}
+
+#[test]
+fn progress_ends_at_one_and_a_search_can_be_cancelled() {
+    let scene = Scene::load(None).expect("it is built in");
+    let view = view_from(&scene, 0, [24, 18]).with_tolerance(8.0);
+    let shares = Mutex::new(Vec::new());
+    let progress = |_, share| shares.lock().unwrap().push(share);
+    let monitor = Monitor {
+        progress: &progress,
+        ..Monitor::NONE
+    };
+    assert!(fewest_segments(&scene, &view, monitor).is_ok());
+    let shares = shares.into_inner().unwrap();
+    assert!(shares.iter().all(|it| (0.0..=1.0).contains(it)) && shares.contains(&1.0));
+    let monitor = Monitor {
+        is_cancelled: &|| true,
+        ..Monitor::NONE
+    };
+    let error = fewest_segments(&scene, &view, monitor).expect_err("it is cancelled");
+    assert_eq!(error.to_string(), CANCELLED);
+}
