@@ -141,7 +141,8 @@
 //!
 //! [`mod@requires`] encloses two pictures, with and without a part of the model. Their difference bounds the error. It
 //! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn,
-//! and says which of them the tolerance requires. [`reference::Rule`] lists the parts that no scene file can leave out.
+//! and says which of them the tolerance requires, and on how fine a grid Gouraud keeps it. [`reference::Rule`] lists the
+//! parts that no scene file can leave out.
 //!
 //! # Extreme numbers
 //!

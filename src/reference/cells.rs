@@ -1,97 +1,151 @@
-//! The cells of a face under Gouraud: a grid of equal ones, each cut into two triangles parallel to the face's diagonal.
+//! Gouraud on a grid of equal cells of a face, each cut into two triangles parallel to the face's diagonal.
 //!
 //! ```text
 //!     (i, j+1)-----------(i+1, j+1)      s, t: the share along the two axes of the face, plus 1/2, times the segments
 //!        |            .'  |
-//!        |     *   .'     |              a cell holds i <= s <= i + 1 and j <= t <= j + 1
+//!        |     *   .'     |              the cell holds i <= s <= i + 1 and j <= t <= j + 1
 //!        |      .'        |
 //!      (i, j)---------(i+1, j)
 //! ```
 //! A place beside the face, which snapping may show, is clamped to it. Vertices are given by their shares.
 
-use std::ops::RangeInclusive;
-
 use super::geometry::{CuboidGeometry, across, face_axes, signed};
+use super::illumination::{Lit, Open, interpolated};
+use super::picture::ReferenceCuboid;
 use super::real::{Real, RealVector};
 
 /// A triangle of a cell: its vertices, and their barycentric weights at a place.
 pub type CellTriangle<R> = ([RealVector<R>; 3], [R; 3]);
 
-/// The most cells along an axis that are told apart.
-const FEW: usize = 2;
-
-/// s and t of a place of a face, clamped to the face, and the cells that it may lie in.
-fn cells<R: Real>(
-    face: usize,
-    share: RealVector<R>,
-    segments: usize,
-) -> [(R, RangeInclusive<usize>); 2] {
-    let count = R::of(segments as f64);
-    face_axes(across(face).0).map(|axis| {
-        let place = (share.0[axis] + R::of(0.5)) * count;
-        let place = place.max(R::of(0.0)).min(count);
-        let [first, last] = place
-            .endpoints()
-            .map(|end| (end as usize).min(segments - 1));
-        (place, first..=last)
-    })
-}
-
-/// The share of a point of a face whose coordinates along the face's axes are these.
-fn shared<R: Real>(face: usize, [u, v]: [R; 2]) -> RealVector<R> {
-    let (axis, outwards) = across(face);
-    let mut share = RealVector([R::of(0.5 * outwards); 3]);
-    let [i, j] = face_axes(axis);
-    (share.0[i], share.0[j]) = (u, v);
-    share
-}
-
-/// The coordinate of a line of the grid.
-fn line<R: Real>(number: usize, segments: usize) -> R {
-    R::of(2.0 * number as f64 - segments as f64) / R::of(2.0 * segments as f64)
-}
-
-/// The triangles of cells that a place with this share may lie on: in floats one; none if there are many.
+/// The triangles of cells that a place of a face may lie on: in floats one; none if its cells are more than 2 x 2. Also the
+/// hull of all vertices of those cells.
 pub fn touched<R: Real>(
     face: usize,
     share: RealVector<R>,
     segments: usize,
-) -> Vec<CellTriangle<R>> {
-    let [(s, columns), (t, rows)] = cells(face, share, segments);
+) -> (Vec<CellTriangle<R>>, RealVector<R>) {
+    let (axis, outwards) = across(face);
+    let axes = face_axes(axis);
+    let [zero, half, count] = [0.0, 0.5, segments as f64].map(R::of);
+    let place = axes.map(|axis| ((share.0[axis] + half) * count).max(zero).min(count));
+    let cells = place.map(|it| it.endpoints().map(|end| (end as usize).min(segments - 1)));
+    let at = |along: [R; 2]| {
+        let mut share = RealVector([R::of(0.5 * outwards); 3]);
+        [share.0[axes[0]], share.0[axes[1]]] = along;
+        share
+    };
+    let line = |number: usize| R::of(2.0 * number as f64 - segments as f64) / (count + count);
+    let hull = at(cells.map(|[first, last]| line(first).either(line(last + 1))));
     let mut triangles = Vec::new();
-    if columns.clone().count().max(rows.clone().count()) > FEW {
-        return triangles;
+    if cells.iter().any(|[first, last]| last - first > 1) {
+        return (triangles, hull);
     }
+    let [columns, rows] = cells.map(|[first, last]| first..=last);
     for cell in columns.flat_map(|i| rows.clone().map(move |j| [i, j])) {
-        let within = |place: R, cell: usize| {
-            let start = R::of(cell as f64);
-            place.max(start).min(start + R::of(1.0)) - start - R::of(0.5)
-        };
-        let place = [within(s, cell[0]), within(t, cell[1])];
-        let (axis, outwards) = across(face);
+        let place = [0, 1].map(|k| {
+            let start = R::of(cell[k] as f64);
+            place[k].max(start).min(start + R::of(1.0)) - start - half
+        });
         let order = signed(outwards, place[0] - place[1]).sign(0.0);
         let may_be = |is_first: &bool| order.is_none_or(|order| order.is_ge() == *is_first);
-        for is_first in [true, false].into_iter().filter(may_be) {
-            let place = shared(face, place);
-            let (corners, weights) = CuboidGeometry::weights(face, is_first, place);
-            let vertex = |corner: usize| {
-                let axes = face_axes(axis);
-                shared(
-                    face,
-                    [0, 1].map(|i| line(cell[i] + (corner >> axes[i] & 1), segments)),
-                )
-            };
-            triangles.push((corners.map(vertex), weights));
-        }
+        triangles.extend([true, false].into_iter().filter(may_be).map(|is_first| {
+            let (corners, weights) = CuboidGeometry::weights(face, is_first, at(place));
+            let line = |corner: usize, k: usize| line(cell[k] + (corner >> axes[k] & 1));
+            let vertices = corners.map(|corner| at([line(corner, 0), line(corner, 1)]));
+            (vertices, weights)
+        }));
     }
-    triangles
+    (triangles, hull)
 }
 
-/// The hull of all vertices of the cells that a place with this share may lie in.
-pub fn around<R: Real>(face: usize, share: RealVector<R>, segments: usize) -> RealVector<R> {
-    let hull = cells(face, share, segments).map(|(_, cells)| {
-        let [from, to] = [*cells.start(), cells.end() + 1];
-        line::<R>(from, segments).either(line(to, segments))
-    });
-    shared(face, hull)
+impl<R: Real> ReferenceCuboid<R> {
+    /// Gouraud at a point that is given by its weights on a triangle of the face, and by its share.
+    ///
+    /// An interval may touch several triangles of cells. The exact point lies on one of them, and on a common edge both have
+    /// the same levels, so the hull of them all holds the level. Where it touches many, the hull of their vertices does.
+    pub fn gouraud(
+        &self,
+        face: usize,
+        corners: [usize; 3],
+        weights: [R; 3],
+        share: RealVector<R>,
+        open: Open,
+    ) -> Lit<R> {
+        if self.segments == 1 {
+            return self.surface.gouraud(face, corners, weights, open);
+        }
+        let lit = |vertex, i: usize| {
+            let place = self.solid.at_share(vertex);
+            self.surface.at_vertex(face, &place, open >> i & 1 == 1)
+        };
+        let (triangles, hull) = touched(face, share, self.segments);
+        let all = triangles
+            .into_iter()
+            .map(|([a, b, c], weights)| interpolated([lit(a, 0), lit(b, 1), lit(c, 2)], weights));
+        let either = |one: Lit<R>, other: Lit<R>| Lit {
+            levels: one.levels.zip(other.levels, R::either),
+            ties: one.ties.max(other.ties),
+        };
+        all.reduce(either).unwrap_or_else(|| lit(hull, 0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::interval::Interval;
+    use super::*;
+
+    #[test]
+    fn a_place_is_the_weighted_sum_of_the_vertices_of_its_triangle() {
+        for (number, segments) in [2, 3, 7, 101, 256]
+            .into_iter()
+            .cycle()
+            .take(600)
+            .enumerate()
+        {
+            let face = number % 6;
+            let (axis, outwards) = across(face);
+            // Some lie beside the face.
+            let at = |step: f64| 1.1 * ((number as f64 * step).fract() - 0.5);
+            let mut share = RealVector([at(0.618_034), at(0.414_214), at(0.732_051)]);
+            share.0[axis] = 0.5 * outwards;
+            let (triangles, hull) = touched(face, share, segments);
+            let [(vertices, weights)] = triangles[..] else {
+                panic!("one triangle of a float")
+            };
+            assert!(weights.iter().all(|weight| (0.0..=1.0).contains(weight)));
+            for axis in 0..3 {
+                let sum: f64 = (0..3).map(|i| weights[i] * vertices[i].0[axis]).sum();
+                let clamped = share.0[axis].clamp(-0.5, 0.5);
+                assert!(
+                    (sum - clamped).abs() < 1e-12,
+                    "{sum} at {share:?} of {segments}"
+                );
+            }
+            // Of floats the hull is its first value.
+            assert!((0..3).all(|axis| vertices.iter().any(|it| it.0[axis] == hull.0[axis])));
+        }
+    }
+
+    #[test]
+    fn six_triangles_meet_at_a_vertex_of_the_grid_and_two_at_an_edge() {
+        let around = |middle: f64| Interval::new(middle - 1e-9, middle + 1e-9);
+        for ([u, v], count) in [
+            ([0.25, -0.25], 6),
+            ([0.25, -0.1], 2),
+            ([0.1, 0.1], 2),
+            ([0.1, 0.2], 1),
+            ([-0.5, 0.5], 1),
+            ([-0.5, -0.5], 2),
+        ] {
+            let share = RealVector([Interval::of(0.5), around(u), around(v)]);
+            assert_eq!(touched(0, share, 4).0.len(), count, "at {u}, {v}");
+        }
+        let anywhere = Interval::new(-0.4, 0.4);
+        let share = RealVector([Interval::of(0.5), anywhere, anywhere]);
+        let (triangles, hull) = touched(0, share, 4);
+        assert!(triangles.is_empty());
+        let ends = hull.0.map(Real::endpoints);
+        assert_eq!(ends, [[0.5; 2], [-0.5, 0.5], [-0.5, 0.5]]);
+    }
 }

@@ -332,9 +332,16 @@ impl<R: Real> CuboidGeometry<R> {
         RealVector::exact(self.mesh.corners[corner].signum() / 2.0)
     }
 
-    /// The point with this share, relative to the cuboid's centre.
-    pub fn from_centre(&self, share: RealVector<R>) -> RealVector<R> {
-        (share + share).zip(RealVector::exact(self.mesh.corners[7]), R::mul)
+    /// The point with this share.
+    pub fn at_share(&self, share: RealVector<R>) -> FacePoint<R> {
+        let half = RealVector::exact(self.mesh.corners[7]);
+        let point = (share + share).zip(half, R::mul) - self.eye;
+        FacePoint {
+            point,
+            share,
+            to_eye: self.to_eye(point),
+            is_on_first: None,
+        }
     }
 
     /// The corners of one triangle of a face and their barycentric weights at a point: their sum is 1, and inside the

@@ -12,7 +12,6 @@
 
 use glam::DVec3;
 
-use super::cells::{around, touched};
 use super::geometry::{CuboidGeometry, FacePoint, across};
 use super::real::{Real, RealVector};
 use super::rule::Rule;
@@ -140,10 +139,10 @@ impl<R: Real> ReferenceSurface<R> {
         self.corners[corner].normals[across(face).0]
     }
 
-    /// The unit normal at a point of a face, which is given by its share.
-    pub fn normal(&self, face: usize, share: RealVector<R>) -> RealVector<R> {
+    /// The unit normal at a point of a face.
+    pub fn normal(&self, face: usize, place: &FacePoint<R>) -> RealVector<R> {
         match self.normals {
-            NormalMode::Corner => share.unit(),
+            NormalMode::Corner => place.share.unit(),
             NormalMode::Face => {
                 let (axis, outwards) = across(face);
                 RealVector::exact(DVec3::AXES[axis] * outwards)
@@ -257,7 +256,7 @@ impl<R: Real> ReferenceSurface<R> {
             // At a corner the share is (±1, ±1, ±1) / 2, and the unit normal is (±1, ±1, ±1) / sqrt(3).
             place.share * (R::of(2.0) / R::of(3.0).sqrt())
         } else {
-            self.normal(face, place.share)
+            self.normal(face, place)
         };
         self.lit(normal, place.to_eye, to_light, open, TIES)
     }
@@ -276,68 +275,11 @@ impl<R: Real> ReferenceSurface<R> {
         interpolated(lit, weights)
     }
 
-    /// Gouraud on a grid of more than one cell: the levels at the vertices of a triangle of a cell, interpolated over it.
-    ///
-    /// An interval may touch several triangles. The exact point lies on one of them, and on a common edge both have the same
-    /// levels, so the hull of them all holds the level. Where it touches many cells, the hull of all their vertices does.
-    pub fn gouraud_on_grid(
-        &self,
-        solid: &CuboidGeometry<R>,
-        face: usize,
-        share: RealVector<R>,
-        segments: usize,
-        open: Open,
-    ) -> Lit<R> {
-        let lit = |vertex, i: usize| {
-            let is_open = open >> i & 1 == 1;
-            let [normal, to_eye] = self.vertex(solid, face, vertex);
-            let to_light = |light| self.to_light_at_vertex(solid, light, vertex);
-            self.lit(normal, to_eye, to_light, if is_open { ALL } else { 0 }, 1)
-        };
-        let triangles = touched(face, share, segments).into_iter();
-        let all = triangles.map(|(vertices, weights)| {
-            interpolated([0, 1, 2].map(|i| lit(vertices[i], i)), weights)
-        });
-        let either = |one: Lit<R>, other: Lit<R>| Lit {
-            levels: one.levels.zip(other.levels, R::either),
-            ties: one.ties.max(other.ties),
-        };
-        let hull = || lit(around(face, share, segments), 0);
-        all.reduce(either).unwrap_or_else(hull)
-    }
-
-    /// n and o at a vertex, which is given by its share.
-    fn vertex(
-        &self,
-        solid: &CuboidGeometry<R>,
-        face: usize,
-        share: RealVector<R>,
-    ) -> [RealVector<R>; 2] {
-        let place = solid.from_centre(share) - solid.eye;
-        [self.normal(face, share), solid.to_eye(place)]
-    }
-
-    /// l of a light at a vertex, which is given by its share.
-    fn to_light_at_vertex(
-        &self,
-        solid: &CuboidGeometry<R>,
-        light: usize,
-        share: RealVector<R>,
-    ) -> RealVector<R> {
-        (self.lights[light].from_centre - solid.from_centre(share)).unit()
-    }
-
-    /// The factor of a light's levels in the model at a vertex, which is given by its share; tied gates are closed.
-    pub fn factor_at_vertex(
-        &self,
-        solid: &CuboidGeometry<R>,
-        light: usize,
-        face: usize,
-        share: RealVector<R>,
-    ) -> R {
-        let [normal, to_eye] = self.vertex(solid, face, share);
-        let to_light = self.to_light_at_vertex(solid, light, share);
-        self.factor(self.lights[light].kind, normal, to_eye, to_light, false)
+    /// The levels at a vertex of a face's grid, with its tied gates closed or open.
+    pub fn at_vertex(&self, face: usize, place: &FacePoint<R>, is_open: bool) -> Lit<R> {
+        let to_light = |light| self.to_light(light, place);
+        let (normal, open) = (self.normal(face, place), if is_open { ALL } else { 0 });
+        self.lit(normal, place.to_eye, to_light, open, 1)
     }
 
     /// The assignment's shortcut: the corners' unit n, l and o are interpolated and not normalised again.
@@ -369,7 +311,7 @@ pub fn reflection<R: Real>(normal: RealVector<R>, to_light: RealVector<R>) -> Re
 }
 
 /// The levels between three vertices.
-fn interpolated<R: Real>(lit: [Lit<R>; 3], weights: [R; 3]) -> Lit<R> {
+pub fn interpolated<R: Real>(lit: [Lit<R>; 3], weights: [R; 3]) -> Lit<R> {
     Lit {
         levels: blend(lit.map(|lit| lit.levels), weights),
         ties: lit.iter().map(|lit| lit.ties).sum(),

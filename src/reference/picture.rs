@@ -295,48 +295,19 @@ impl<R: Real> ReferenceCuboid<R> {
         if !self.surface.is_perspective_correct() {
             weights = self.solid.weights_on_screen(corners, weights);
         }
-        // Of a grid of cells the weights on the screen give the point of the face, and the point its cell.
-        let place = if self.surface.is_perspective_correct() {
-            *place
+        // Without perspective the weights on the screen give the point of the face. Its cell is that of the point.
+        let share = if self.surface.is_perspective_correct() {
+            place.share
         } else {
-            self.blended(corners, weights)
-        };
-        if self.mode == ShadingMode::Gouraud {
-            return self.gouraud(face, corners, weights, place.share, open);
-        }
-        self.surface.phong(face, &place, open)
-    }
-
-    /// Gouraud at a point that is given by its share, and by its weights on a triangle of the face.
-    pub fn gouraud(
-        &self,
-        face: usize,
-        corners: [usize; 3],
-        weights: [R; 3],
-        share: RealVector<R>,
-        open: Open,
-    ) -> Lit<R> {
-        let Self { solid, surface, .. } = self;
-        match self.segments {
-            1 => surface.gouraud(face, corners, weights, open),
-            segments => surface.gouraud_on_grid(solid, face, share, segments, open),
-        }
-    }
-
-    /// The place interpolated between the corners.
-    fn blended(&self, corners: [usize; 3], weights: [R; 3]) -> FacePoint<R> {
-        let [a, b, c] = corners.map(|corner| RealVector::exact(self.solid.mesh.corners[corner]));
-        // Only differences of corners are weighted: weights of a distant eye would cost precision.
-        let point = a - self.solid.eye + (b - a) * weights[1] + (c - a) * weights[2];
-        FacePoint {
-            point,
-            share: blend(
+            blend(
                 corners.map(|corner| self.solid.corner_share(corner)),
                 weights,
-            ),
-            to_eye: self.solid.to_eye(point),
-            is_on_first: None,
+            )
+        };
+        if self.mode == ShadingMode::Gouraud {
+            return self.gouraud(face, corners, weights, share, open);
         }
+        self.surface.phong(face, &self.solid.at_share(share), open)
     }
 }
 

@@ -5,7 +5,7 @@ use hecs::World;
 use serde::Serialize;
 
 use super::cells::touched;
-use super::geometry::CuboidGeometry;
+use super::geometry::{CuboidGeometry, FacePoint};
 use super::illumination::{blend, reflection};
 use super::picture::{Met, Reference, ReferenceCuboid};
 use super::real::RealVector;
@@ -100,9 +100,9 @@ impl Reference<f64> {
         let (vertices, weights) = if *segments == 1 {
             (corners.map(|corner| solid.corner_share(corner)), on_face)
         } else {
-            touched(*face, place.share, *segments).pop()?
+            touched(*face, place.share, *segments).0.pop()?
         };
-        let (normal, to_eye) = (surface.normal(*face, place.share), place.to_eye);
+        let (normal, to_eye) = (surface.normal(*face, place), place.to_eye);
         let to_world = |v: RealVector<f64>| {
             let [x, y, z] = v.0;
             (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
@@ -110,9 +110,12 @@ impl Reference<f64> {
         let lights = surface.lights.iter().zip(names).enumerate();
         let lights = lights.map(|(index, (light, name))| {
             let to_light = surface.to_light(index, place);
-            let factor = surface.factor(light.kind, normal, to_eye, to_light, false);
-            let vertex_factors =
-                vertices.map(|vertex| surface.factor_at_vertex(solid, index, *face, vertex));
+            let factor = |at: &FacePoint<f64>| {
+                let (normal, to_light) = (surface.normal(*face, at), surface.to_light(index, at));
+                surface.factor(light.kind, normal, at.to_eye, to_light, false)
+            };
+            let vertex_factors = vertices.map(|vertex| factor(&solid.at_share(vertex)));
+            let factor = factor(place);
             let vertex_levels = vertex_factors.map(|factor| light.levels * factor);
             let is_directed =
                 light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;

@@ -18,8 +18,8 @@ use crate::scene::{Scene, SceneRecord, updated};
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
 
-const LEGEND_OF_SEGMENTS: &str = "segments: the fewest cells along an edge of a face with which Gouraud keeps the tolerance against \
-    exact Phong, 1 to 256, while all other cuboids have exact Phong; largest error: with that number, or with 256, in levels of \
+const LEGEND_OF_SEGMENTS: &str = "cells of a face: the fewest with which Gouraud keeps the tolerance against \
+    exact Phong, 1 x 1 to 256 x 256, while all other cuboids have exact Phong; largest error: with that number, or with 256, in levels of \
     255, proven.";
 
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
@@ -77,11 +77,11 @@ fn table_of_segments(rows: &[FewestSegments]) -> String {
     let cells = |row: &FewestSegments| {
         [
             row.cuboid.clone(),
-            row.number(),
+            row.cells(),
             interval(row.largest_error, short),
         ]
     };
-    let head = ["cuboid under Gouraud", "segments", "largest error"];
+    let head = ["cuboid under Gouraud", "cells of a face", "largest error"];
     aligned(&head, rows.iter().map(cells))
 }
 

@@ -13,7 +13,7 @@ use std::ops::Range;
 
 use serde::Serialize;
 
-use super::{Change, FaceLevels, error, shown};
+use super::{FaceLevels, error, shown};
 use crate::components::{Segments, ShadingMode, View};
 use crate::reference::{Interval, Real, Reference};
 use crate::report::Monitor;
@@ -39,32 +39,23 @@ fn is_zero(number: &u32) -> bool {
 }
 
 impl FewestSegments {
-    /// The number in words.
-    pub fn number(&self) -> String {
-        match (self.segments, self.undecided) {
-            (Some(segments), 0) => segments.to_string(),
-            (Some(segments), _) => format!("at most {segments}"),
-            (None, 0) => format!("> {}", Segments::RANGE.end()),
-            (None, _) => "none proven".to_owned(),
-        }
-    }
-
-    /// The answer as a sentence.
-    pub fn sentence(&self) -> String {
-        let name = &self.cuboid;
+    /// The cells of a face in words.
+    pub fn cells(&self) -> String {
         let cells = self.segments.unwrap_or(*Segments::RANGE.end());
-        let cells = format!("{cells} x {cells} cells");
-        match (self.segments, self.undecided) {
-            (Some(_), 0) => format!("{name}: Gouraud needs {cells}."),
-            (Some(_), _) => format!("{name}: Gouraud needs at most {cells}."),
-            (None, 0) => format!("{name}: Gouraud errs too much even with {cells}."),
-            (None, _) => format!("{name}: no grid up to {cells} is proven to suffice."),
-        }
+        let of = match (self.segments, self.undecided) {
+            (Some(_), 0) => "",
+            (Some(_), _) => "at most ",
+            (None, 0) => "more than ",
+            (None, _) => "perhaps more than ",
+        };
+        format!("{of}{cells} x {cells}")
     }
 }
 
 /// The picture under exact Phong, and with Gouraud for one cuboid.
 struct Pair<R> {
+    /// One less than the number of segments.
+    index: usize,
     phong: Reference<R>,
     gouraud: Reference<R>,
 }
@@ -83,89 +74,91 @@ struct Search<'a> {
     scene: Scene,
     view: View,
     /// The columns and rows in which it may be visible.
-    columns: Range<usize>,
-    rows: Range<usize>,
+    bounds: [Range<usize>; 2],
     monitor: Monitor<'a>,
 }
 
+/// The bounds of the largest error of a row, and its pixel with the largest upper bound.
+type WorstOfRow = ([f64; 2], [usize; 2]);
+
 impl Search<'_> {
     fn pair<R: Real>(&self, segments: Segments) -> Pair<R> {
-        let view = View {
-            segments: Some(segments),
-            ..self.view
-        };
+        let mut view = self.view;
+        view.segments = Some(segments);
+        let picture = |view: &View| Reference::new(&self.scene.world, view);
         Pair {
-            phong: Reference::new(&self.scene.world, &view.shaded(ShadingMode::Phong)),
-            gouraud: Reference::new(&self.scene.world, &view),
+            index: segments.count() - 1,
+            phong: picture(&view.shaded(ShadingMode::Phong)),
+            gouraud: picture(&view),
         }
     }
 
-    /// Does `work` for each row.
-    fn by_row<T: Send>(
+    fn by_row<R: Real>(&self, pair: &Pair<R>) -> anyhow::Result<Vec<WorstOfRow>> {
+        let [columns, rows] = self.bounds.clone();
+        let done = [pair.index, Segments::RANGE.count()].map(|it| it * rows.len());
+        let step = "counting segments";
+        self.monitor.in_parallel(step, rows, done, |y| {
+            let mut worst = ([0.0; 2], [0, y]);
+            for x in columns.clone() {
+                let error = pair.error([x, y]);
+                if error[1] > worst.0[1] {
+                    worst.1 = [x, y];
+                }
+                worst.0 = [0, 1].map(|end| error[end].max(worst.0[end]));
+            }
+            Ok(worst)
+        })
+    }
+
+    /// The bounds of the largest error of the picture, and the pixels that intervals do not prove to keep the limit.
+    fn proof(
         &self,
-        step: &'static str,
-        work: impl Fn(&mut dyn Iterator<Item = [usize; 2]>) -> T + Sync,
-    ) -> anyhow::Result<Vec<T>> {
-        let done = [0, self.rows.len()];
-        let row = |y| Ok(work(&mut self.columns.clone().map(|x| [x, y])));
-        self.monitor.in_parallel(step, self.rows.clone(), done, row)
+        pair: &Pair<Interval>,
+        limit: f64,
+    ) -> anyhow::Result<([f64; 2], Vec<[usize; 2]>)> {
+        let rows = self.by_row(pair)?;
+        let largest = |end: usize| rows.iter().map(|row| row.0[end]).fold(0.0, f64::max);
+        Ok(([largest(0), largest(1)], above(&rows, limit)))
     }
 
-    /// The bounds of the largest error.
-    fn largest_error(&self, segments: Segments) -> anyhow::Result<[f64; 2]> {
-        let pair = self.pair::<Interval>(segments);
-        let change = |pixel| Change {
-            largest_error: pair.error(pixel),
-            pixels: 0,
-        };
-        let rows = self.by_row("proving segments", |row| Change::combined(row.map(change)))?;
-        Ok(Change::combined(rows).largest_error)
-    }
-
-    /// The least number that keeps a tolerance, its error, and how many smaller ones are undecided.
+    /// The least number that keeps a limit, its error, and how many smaller ones are undecided.
     fn fewest(&self, limit: f64) -> anyhow::Result<(Option<u32>, [f64; 2], u32)> {
+        // Pixels that refuted fewer segments, and pixels that intervals did not decide.
+        let (mut worst, mut doubtful) = (Vec::new(), Vec::new());
         let mut undecided = 0;
-        // The pixels that refuted fewer segments, the last ones at the end.
-        let mut worst: Vec<[usize; 2]> = Vec::new();
         for segments in Segments::RANGE.filter_map(Segments::new) {
             self.monitor.check()?;
             let (floats, enclosures) = (self.pair::<f64>(segments), self.pair(segments));
-            let errs = |pixel: [usize; 2]| floats.error(pixel)[1] > limit;
             let is_refuted = |pixel: &[usize; 2]| {
-                errs(*pixel) && Pair::<Interval>::error(&enclosures, *pixel)[0] > limit
+                floats.error(*pixel)[1] > limit && enclosures.error(*pixel)[0] > limit
             };
             if worst.iter().rev().any(is_refuted) {
                 continue;
             }
-            let errors = |pixel| (floats.error(pixel)[1], pixel);
-            let rows = self.by_row("counting segments", |row| {
-                row.map(errors)
-                    .max_by(|one, other| one.0.total_cmp(&other.0))
-            })?;
-            let mut rows: Vec<_> = rows
-                .into_iter()
-                .flatten()
-                .filter(|it| it.0 > limit)
-                .collect();
-            rows.sort_by(|one, other| one.0.total_cmp(&other.0));
-            let found = worst.len();
-            worst.extend(rows.into_iter().map(|(_, pixel)| pixel));
-            if worst[found..].iter().rev().any(is_refuted) {
+            let found = above(&self.by_row(&floats)?, limit);
+            worst.extend(&found);
+            if found.iter().any(is_refuted) {
                 continue;
             }
-            if worst.len() == found {
-                let [least, most] = self.largest_error(segments)?;
-                if most <= limit {
-                    return Ok((Some(segments.into()), [least, most], undecided));
+            let is_in_doubt = |pixel: &[usize; 2]| enclosures.error(*pixel)[1] > limit;
+            if found.is_empty() && !doubtful.iter().any(is_in_doubt) {
+                let (error, pixels) = self.proof(&enclosures, limit)?;
+                if pixels.is_empty() {
+                    return Ok((Some(segments.into()), error, undecided));
                 }
-                undecided += u32::from(least <= limit);
-            } else {
-                undecided += 1;
+                doubtful.extend(pixels);
             }
+            undecided += 1;
         }
         let most = Segments::new(*Segments::RANGE.end()).unwrap_or_default();
-        Ok((None, self.largest_error(most)?, undecided))
+        Ok((None, self.proof(&self.pair(most), limit)?.0, undecided))
     }
+}
+
+/// The worst pixels of the rows whose error may exceed the limit.
+fn above(rows: &[WorstOfRow], limit: f64) -> Vec<[usize; 2]> {
+    let rows = rows.iter().filter(|row| row.0[1] > limit);
+    rows.map(|row| row.1).collect()
 }
 
 /// The fewest segments of each cuboid, in file order, computed on rayon's current threads. The shading and the segments of
@@ -183,14 +176,13 @@ pub fn fewest_segments(
         cuboid.shading = ShadingMode::Phong;
     }
     let bounds = Reference::<Interval>::new(&scene.world, view).bounds();
-    let fewest = |(number, [columns, rows]): (usize, [Range<usize>; 2])| {
+    let fewest = |(number, bounds): (usize, _)| {
         let mut record = record.clone();
         record.cuboid[number].shading = ShadingMode::Gouraud;
         let search = Search {
             scene: Scene::spawn(scene.name.clone(), &record),
             view: view.unshaded(),
-            columns,
-            rows,
+            bounds,
             monitor,
         };
         let (segments, largest_error, undecided) = search.fewest(limit(view.tolerance))?;

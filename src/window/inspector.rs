@@ -97,7 +97,11 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
         wait(ui, study, &facts.segments);
     }
     for cuboid in facts.segments.value.iter().flatten() {
-        let label = ui.label(cuboid.sentence());
+        let label = ui.label(format!(
+            "{}: Gouraud needs {} cells.",
+            cuboid.cuboid,
+            cuboid.cells()
+        ));
         label.on_hover_text(
             "The fewest cells of each face with which Gouraud keeps the tolerance against exact Phong, proven.",
         );

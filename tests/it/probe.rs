@@ -6,7 +6,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Value, json};
-use shadetrade::components::{LightKind, Mesh, ShadingMode, Transform, View};
+use shadetrade::components::{LightKind, Mesh, Segments, ShadingMode, Transform, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::metrics::pixel_error;
 use shadetrade::probe::{self, Probe, ProbedSurface};
@@ -197,6 +197,51 @@ fn surface_of(
     let view = view_from(&scene, 0, [960, 720]).shaded(mode);
     let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
     probe.surface.expect("a face is seen")
+}
+
+#[test]
+fn on_a_grid_the_vertices_are_those_of_the_pixel_s_cell() {
+    let mut places = Vec::new();
+    let surface = surface_of(ShadingMode::Phong, [480, 300], |record| {
+        record.cuboid[0].segments = Segments::new(8).expect("a number");
+    });
+    let lights = SceneRecord::of(&Scene::load(None).expect("it is built in").world).light;
+    places.extend(lights.iter().map(|light| light.position));
+    let sample = surface.sample.as_ref().expect("no edge");
+    let (size, vertices) = (DVec3::new(4.0, 3.0, 2.0), sample.vertices);
+    let sum =
+        |of: &dyn Fn(usize) -> DVec3| (0..3).map(|i| sample.weights[i] * of(i)).sum::<DVec3>();
+    assert!((sum(&|i| vertices[i] * size) - sample.position).length() < 1e-12);
+    let labels = vertices.map(|vertex| {
+        // The pixel shows the face z = 1, whose grid has 8 x 8 cells.
+        let [column, row, across] = (8.0 * (vertex + 0.5)).to_array();
+        assert!([column, row].iter().all(|it| it.fract() == 0.0) && across == 8.0);
+        format!("{column},{row}")
+    });
+    let text = Probe {
+        pixel: [480, 300],
+        surface: Some(surface.clone()),
+    }
+    .lines();
+    let heading = text
+        .iter()
+        .find(|line| line.contains("factor at"))
+        .expect("a heading");
+    let shown: Vec<_> = heading.split_whitespace().skip(2).collect();
+    assert_eq!(shown, labels);
+    for (light, place) in sample.lights.iter().zip(places) {
+        let term = sum(&|i| light.strength * light.vertex_factors[i]);
+        assert!((term - light.gouraud).length() < 1e-9, "{light:?}");
+        for (vertex, factor) in vertices.into_iter().zip(light.vertex_factors) {
+            let to_light = (place.unwrap_or_default() - vertex * size).normalize();
+            let known = match light.kind {
+                LightKind::Ambient => 1.0,
+                LightKind::Diffuse => vertex.normalize().dot(to_light).max(0.0),
+                LightKind::Specular => continue,
+            };
+            assert!((factor - known).abs() < 1e-12, "{light:?}");
+        }
+    }
 }
 
 #[test]

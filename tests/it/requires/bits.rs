@@ -4,7 +4,7 @@ use std::sync::Mutex;
 
 use glam::DVec3;
 use shadetrade::components::{
-    LightKind, Mesh, Projection, ShadingMode, TRIANGLES, View, overwrite,
+    LightKind, Mesh, Projection, Segments, ShadingMode, TRIANGLES, View, overwrite,
 };
 use shadetrade::reference::in_row;
 use shadetrade::report::{CANCELLED, Monitor};
@@ -196,6 +196,22 @@ fn the_errors_of_f32_are_those_of_a_twin() {
         let difference = row.formats[2].largest_error - error;
         assert!(difference.abs() < 1e-9, "{error}: {row:?}");
         assert!(error > 1e-7, "the stage is rounded: {row:?}");
+    }
+}
+
+/// Wrong vertices would err by tens of levels in every stage and format.
+#[test]
+fn on_a_grid_the_stages_of_gouraud_are_rounded_at_the_vertices_of_the_cell() {
+    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        let (mut scene, view) = built_in("cuboid", mode, enlarged([32, 24]));
+        let coarse = of(&scene, &view);
+        overwrite(&mut scene.world, &Segments::new(8).expect("a number"));
+        let fine = of(&scene, &view);
+        for row in &fine {
+            assert!(row.formats[2].largest_error < 0.05, "{row:?}");
+        }
+        // Phong does not depend on the grid.
+        assert_eq!(fine == coarse, mode == ShadingMode::Phong);
     }
 }
 

@@ -31,18 +31,19 @@ fn an_answer_becomes_old_exactly_when_the_picture_changes() {
             facts.section.is_current,
             facts.comparison.is_current,
             facts.required.is_current,
+            facts.segments.is_current,
         ]
     };
     for key in [Key::F2, Key::F6, Key::H, Key::H] {
         window.press(key);
-        assert_eq!(are_current(&window), [true; 3], "{key:?}");
+        assert_eq!(are_current(&window), [true; 4], "{key:?}");
     }
     // Nothing asks for them again.
     window.app.desk.tab = None;
     window.press(Key::F2);
     for key in [Key::OpenBracket, Key::G] {
         window.press(key);
-        assert_eq!(are_current(&window)[1..], [false; 2], "{key:?}");
+        assert_eq!(are_current(&window)[1..], [false; 3], "{key:?}");
         window.app.study.facts.comparison.is_current = true;
     }
     window.size = [140, 90];
@@ -96,8 +97,12 @@ fn the_part_that_matters_most_comes_first() {
     assert!(parts.iter().any(|it| it.name.contains("red")));
     assert!(parts.is_sorted_by(|one, other| one.change.most() >= other.change.most()));
     let left_out = parts.iter().filter(|it| it.change.keeps(0.5)).count();
+    let segments = window.app.study.facts.segments.current();
+    let cells = segments.expect("an answer")[0].cells();
     let harness = widgets(window.app, [1400, 1000]);
     // A text is a node in a node.
+    let sentence = format!("emerald: Gouraud needs {cells} cells.");
+    assert_eq!(harness.query_all_by_value(&sentence).count(), 2);
     assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
 }
 
