@@ -18,9 +18,9 @@ use crate::scene::{Scene, SceneRecord, updated};
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
 
-const LEGEND_OF_SEGMENTS: &str = "cells of a face: the fewest with which Gouraud keeps the tolerance against \
-    exact Phong, 1 x 1 to 256 x 256, while all other cuboids have exact Phong; largest error: with that number, or with 256, in levels of \
-    255, proven.";
+const LEGEND_OF_SEGMENTS: &str = "cells of a face: the fewest, 1 x 1 to 256 x 256, with which Gouraud keeps the tolerance against \
+    exact Phong, while all other cuboids have exact Phong; largest error: with so many cells, or with 256 x 256, in levels \
+    of 255, proven.";
 
 const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
     least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \
