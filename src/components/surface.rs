@@ -1,5 +1,7 @@
 //! Material and shading mode of a cuboid, and what a frame derives for it.
 
+use std::ops::RangeInclusive;
+
 use glam::{DMat3, DVec3};
 use hecs::World;
 use serde::{Deserialize, Serialize};
@@ -84,12 +86,12 @@ impl NormalMode {
 pub struct Segments(u32);
 
 impl Segments {
-    /// The largest number.
-    pub const MOST: u32 = 256;
+    /// The legal numbers.
+    pub const RANGE: RangeInclusive<u32> = 1..=256;
 
     /// So many cells; `None` if the number is not legal.
     pub const fn new(cells: u32) -> Option<Self> {
-        if 1 <= cells && cells <= Segments::MOST {
+        if *Segments::RANGE.start() <= cells && cells <= *Segments::RANGE.end() {
             Some(Segments(cells))
         } else {
             None

@@ -60,7 +60,7 @@ pub fn switch_normals(world: &mut World) {
 /// Doubles the number of segments of every cuboid, or halves it if `steps` is negative.
 pub fn step_segments(world: &mut World, steps: i32) -> Option<String> {
     let present = common::<Segments>(world).unwrap_or_default().count() as f64;
-    let next = (present * f64::from(steps).exp2()).clamp(1.0, Segments::MOST.into());
+    let next = (present * f64::from(steps).exp2()).clamp(1.0, f64::from(*Segments::RANGE.end()));
     let next = Segments::new(next as u32).unwrap_or_default();
     if common(world) == Some(next) {
         return Some(format!("{} is the limit", counted(next.count(), "segment")));

@@ -91,7 +91,7 @@ fn shading_rows(
     });
     let count = common::<Segments>(world).map_or(1.0, |it| it.count() as f64);
     let mut changed = count;
-    let most = f64::from(Segments::MOST);
+    let most = f64::from(*Segments::RANGE.end());
     slider(ui, SEGMENTS, &mut changed, 1.0..=most, 1.0);
     if changed != count
         && let Some(segments) = Segments::new(changed.round() as u32)
