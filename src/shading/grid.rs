@@ -278,3 +278,171 @@ impl Grid<'_> {
         levels
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::array::from_fn;
+
+    use super::super::running::Rounded;
+    use super::*;
+    use crate::simd::token;
+
+    const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+    /// A number from 0 to 1 that looks random.
+    fn part(index: usize, step: f64) -> f64 {
+        (index as f64 * step + 0.1).fract()
+    }
+
+    /// Grids of these segments. The levels are up to 200 and differ by up to `bump` from a linear function.
+    fn grids(segments: u32, bump: f64) -> Grids {
+        let mut grids = Grids::default();
+        let segments = Segments::new(segments).expect("it is legal");
+        grids.add(segments, |[u, v]| {
+            let noise = (37.0 * u + 59.0 * v).sin() * bump;
+            DVec3::new(
+                100.0 + 50.0 * u + noise,
+                20.0 * v - noise,
+                80.0 - 10.0 * u + 30.0 * v,
+            )
+        });
+        grids
+    }
+
+    #[test]
+    fn levels_are_those_at_the_points_and_linear_on_each_triangle() {
+        // A cell is [0, 1] x [0, 1]; its levels there are 0, 8, 2 and 5, counter-clockwise from the origin.
+        let mut grids = Grids::default();
+        let segments = Segments::new(2).expect("it is legal");
+        let index = grids.add(segments, |[u, v]| {
+            DVec3::splat(match [u, v] {
+                [0.0, 0.0] | [-1.0, _] | [_, -1.0] => 0.0,
+                [1.0, 0.0] => 8.0,
+                [1.0, 1.0] => 2.0,
+                _ => 5.0,
+            })
+        });
+        let grid = grids.get(index);
+        for ([u, v], level) in [
+            ([0.0, 0.0], 0.0),
+            ([1.0, 0.0], 8.0),
+            ([0.5, 0.0], 4.0),
+            ([0.5, 0.5], 1.0),
+            // (8 + 1) / 2 between (1, 0) and the middle, (5 + 1) / 2 between (0, 1) and the middle.
+            ([0.75, 0.25], 4.5),
+            ([0.25, 0.75], 3.0),
+            // Beside the face: the nearest point.
+            ([1.25, 0.5], 5.0),
+            ([1.1, 1.2], 2.0),
+            ([-1.5, -1.5], 0.0),
+        ] {
+            assert_eq!(grid.at([u, v]), DVec3::splat(level), "at {u}, {v}");
+        }
+    }
+
+    #[test]
+    fn levels_in_f32_are_as_near_as_their_bound_says() {
+        let mut most = 0.0_f64;
+        for segments in [2, 3, 16, 255, 256] {
+            let grids = grids(segments, 40.0);
+            let grid = grids.get(0);
+            for number in 0..400 {
+                // Some are beside the face, and some on points and diagonals.
+                let origin =
+                    [0.618, 0.414].map(|step| (part(number, step) * f64::from(segments)).floor());
+                let place = |lane: usize, step: f64| match lane % 4 {
+                    0 => (6.0 * part(number + lane, step)).floor() - 2.0,
+                    1 => 6.0 * part(number, step) - 3.0,
+                    _ => 6.0 * part(number + 31 * lane, step) - 3.0,
+                };
+                let places = [0.732, 0.236].map(|step| from_fn(|lane| place(lane, step) as f32));
+                let drawn = grid.levels(
+                    token(),
+                    origin,
+                    places.map(|it: [f32; 16]| f32x16::simd_from(token(), it)),
+                );
+                for lane in 0..16 {
+                    let uv = two!(|axis| {
+                        let place = f64::from(places[axis][lane]) + origin[axis];
+                        place / f64::from(segments) * 2.0 - 1.0
+                    });
+                    let exact = grid.at(uv);
+                    for channel in 0..3 {
+                        let error = (f64::from(drawn[channel][lane]) - exact[channel]).abs();
+                        // A place is exact here, but for the rounding below 0.
+                        let bound = grid.rounding([0.0; 2]);
+                        most = most.max(error / bound);
+                    }
+                }
+            }
+        }
+        assert!(most <= 1.0, "the bound is {most} times too small");
+        assert!(most > 0.1, "the bound is loose: {most}");
+    }
+
+    #[test]
+    fn the_count_of_roundings_of_a_place_covers_what_a_running_error_analysis_finds() {
+        let at = |terms: [f64; 3]| {
+            let [middle, right, down] = terms.map(Rounded::stored);
+            // The position is a product with the stored inverse of the half extent.
+            let end = Rounded::stored(1.0) * Rounded::exact(1.0);
+            end * right + (middle + down * end)
+        };
+        let mut most = 0.0_f64;
+        for step in 0..=1000 {
+            let part = |factor: f64| (f64::from(step) * factor).sin();
+            // w falls to half of its value at the middle.
+            let slope = 0.249 * (1.0 + part(0.3)) / 2.0;
+            let w = at([1.0, slope - 0.498, -slope]);
+            let [place, right, down] = [part(0.7), part(1.1), part(1.7)];
+            let largest = place.abs() + right.abs() + down.abs();
+            let place = at([place, right, down]) * (Rounded::exact(1.0) / w);
+            most = most.max(place.error * U / (PLACE_ERROR * largest));
+        }
+        assert!(most <= 1.0, "the count is {most} times too small");
+        assert!(most > 0.5, "the count is loose: {most}");
+    }
+
+    #[test]
+    fn a_function_for_several_cells_errs_by_no_more_than_it_says() {
+        let mut refused = 0;
+        for number in 0..300 {
+            let segments = [2, 5, 40, 256][number % 4];
+            let grids = grids(segments, 3.0 * part(number, 0.618));
+            let grid = grids.get(0);
+            let count = f64::from(segments);
+            // From just outside of the face.
+            let least = [0.732, 0.236].map(|step| part(number, step) * count - 0.5);
+            let most = least.map(|it| (it + 6.0 * part(number, 0.414)).min(count + 0.5));
+            let Some(patch) = grid.patch([least, most], &CORNERS, 2.0) else {
+                refused += 1;
+                continue;
+            };
+            assert!(patch.error <= 2.0);
+            let mut largest = 0.0_f64;
+            for step in 0..=40 * 40 {
+                let share = [step % 41, step / 41].map(|it| it as f64 / 40.0);
+                let place = two!(|axis| {
+                    let place = least[axis] + share[axis] * (most[axis] - least[axis]);
+                    place.clamp(0.0, count)
+                });
+                let local = two!(|axis| {
+                    (place[axis] - patch.first[axis] as f64) / patch.size[axis] as f64
+                });
+                let [a, b, c, d] = patch.levels;
+                let [s, t] = local;
+                let third = if s > t { b } else { d };
+                let function = a * (1.0 - s.max(t)) + third * (s - t).abs() + c * s.min(t);
+                let exact = grid.at(place.map(|it| it / count * 2.0 - 1.0));
+                largest = largest.max((function - exact).abs().max_element());
+            }
+            assert!(
+                largest <= patch.error + 1e-9,
+                "{largest} of {}",
+                patch.error
+            );
+            assert!(patch.size != [1, 1] || patch.error < 1e-9 || !patch.is_cut);
+        }
+        assert!((10..200).contains(&refused), "{refused}");
+    }
+}
