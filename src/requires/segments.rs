@@ -30,12 +30,12 @@ pub struct FewestSegments {
     /// The lower and the upper bound of the largest error with that number, or with the largest legal one.
     pub largest_error: [f64; 2],
     /// The smaller numbers that are neither proven to keep the tolerance nor to exceed it.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "is_default")]
     pub undecided: u32,
 }
 
-fn is_zero(number: &u32) -> bool {
-    *number == 0
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 impl FewestSegments {
