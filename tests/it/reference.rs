@@ -265,10 +265,10 @@ fn two_cells_along_an_edge_find_the_light_above_the_middle_of_a_face() {
     );
     let points = [
         ([0, 0], 90.0),
-        ([1, 0], (90.0 + edge) / 2.0),
+        ([1, 0], edge.midpoint(90.0)),
         // On the diagonals of two cells, which are parallel to that of the face. Two others are cut there.
-        ([1, 1], (90.0 + corner) / 2.0),
-        ([-1, -1], (90.0 + corner) / 2.0),
+        ([1, 1], corner.midpoint(90.0)),
+        ([-1, -1], corner.midpoint(90.0)),
         ([1, -1], edge),
         ([-1, 1], edge),
     ];
@@ -285,7 +285,7 @@ fn on_a_point_of_the_grid_gouraud_is_phong_and_between_two_the_mean() {
     let points = (-2..2).flat_map(|x| (-1..3).map(move |y| [x, y]));
     let levels: Vec<_> = points.map(|[x, y]| ([x, y], phong(x, y))).collect();
     assert_levels(&world, 4, &levels);
-    let mean = |[x, y]: [i32; 2], [u, v]: [i32; 2]| (phong(x, y) + phong(u, v)) / 2.0;
+    let mean = |[x, y]: [i32; 2], [u, v]: [i32; 2]| phong(x, y).midpoint(phong(u, v));
     let points = [
         ([1, 0], mean([0, 0], [2, 0])),
         ([-1, 1], mean([-2, 0], [0, 2])),
