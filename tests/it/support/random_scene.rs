@@ -4,7 +4,7 @@ use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{
-    LightKind, Material, NormalMode, Projection, ShadingMode, View, Viewer,
+    LightKind, Material, NormalMode, Projection, Segments, ShadingMode, View, Viewer,
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
@@ -93,7 +93,11 @@ impl Case {
     fn cuboid(&self, random: &mut Random, index: usize, position: DVec3) -> CuboidRecord {
         let size = DVec3::ZERO.map(|_| random.between(0.01, 100.0));
         let [smooth, sharp] = [(0.5, 1e3), (1e3, 1e6)].map(|(a, b)| random.between(a, b));
+        // Its own stream leaves the other numbers of a seed as they are.
+        let cells = &mut Random(!self.seed ^ index as u64);
+        let many = cells.between(1.0, 256.999) as u32;
         CuboidRecord {
+            segments: Segments::new(cells.one_of(&[1, 1, 1, many])).unwrap_or_default(),
             rotation: random.around(400.0),
             shading: self.mode,
             normals: NormalMode::ALL
