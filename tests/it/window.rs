@@ -1,6 +1,7 @@
 //! The window without a display: events go into `App::step`; components, files, messages and pixels are checked.
 
 mod clicks;
+mod controls;
 mod facts;
 mod files;
 mod history;
@@ -128,6 +129,17 @@ impl Window {
             physical_key: None,
             pressed,
             repeat: false,
+            modifiers: self.modifiers,
+        }
+    }
+
+    /// The event of a key that is held.
+    fn repeated(&self, key: Key) -> Event {
+        Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: true,
             modifiers: self.modifiers,
         }
     }

@@ -1,7 +1,7 @@
 //! Clicks whose press and release come in one step, as those of a touchpad or in a slow frame.
 
 use egui::accesskit::Role;
-use egui::{Event, Key, PointerButton, Pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Node;
 use egui_kittest::kittest::{By, Queryable};
 use shadetrade::scene::{Scene, SceneRecord};
@@ -21,15 +21,20 @@ const CLICKED: [Role; 8] = [
     Role::TextInput,
 ];
 
-/// Presses and releases the button in one step. The mouse arrives in it, too.
-fn tap(window: &mut Window, at: Pos2) {
+/// The events of a press and a release at a place.
+fn events(window: &Window, at: Pos2) -> Vec<Event> {
     let button = |pressed| Event::PointerButton {
         pos: at,
         button: PointerButton::Primary,
         pressed,
         modifiers: window.modifiers,
     };
-    window.step(vec![Event::PointerMoved(at), button(true), button(false)]);
+    vec![Event::PointerMoved(at), button(true), button(false)]
+}
+
+/// Presses and releases the button in one step. The mouse arrives in it, too.
+fn tap(window: &mut Window, at: Pos2) {
+    window.step(events(window, at));
 }
 
 /// The default scene, so small that it is drawn and proven at once.
@@ -94,6 +99,22 @@ fn a_click_within_one_step_does_what_a_slow_one_does() {
             assert!(differ < 50, "{keys:?} {at}: {differ} pixels");
         }
     }
+}
+
+#[test]
+fn a_text_is_selected_and_copied_in_steps_with_clicks() {
+    let mut window = Window::open();
+    let harness = widgets(Window::open().app, SIZE);
+    let field = harness.get_by_role(Role::TextInput).rect();
+    let [first, last] = [0.02, 0.98].map(|share| field.lerp_inside([share, 0.5]));
+    window.click(first);
+    window.wait(PAUSE);
+    window.modifiers = Modifiers::SHIFT;
+    tap(&mut window, last);
+    window.modifiers = Modifiers::NONE;
+    let click = events(&window, Pos2::new(1.0, 1.0));
+    window.step([vec![Event::Copy], click].concat());
+    assert_eq!(window.output.copied.as_deref(), Some("cuboid"));
 }
 
 #[test]

@@ -1,15 +1,23 @@
 //! Answers about the picture belong to the picture shown, and old ones are marked as old.
 
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
+use std::time::Duration;
 
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{ShadingMode, common_mode};
+use fearless_simd::Level;
+use shadetrade::components::{ShadingMode, View, common_mode};
+use shadetrade::frame::Workers;
 use shadetrade::report::Monitor;
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::window::app::App;
+use shadetrade::window::canvas::REST;
+use shadetrade::window::desk::{Desk, reading_time};
 use shadetrade::window::facts::{Question, Work, pool};
 use shadetrade::window::inspector::Tab;
+use shadetrade::window::study::{Change, Study, Subject};
 
+use super::files::on_file;
 use super::{PAUSE, Window};
 use crate::support::records;
 use crate::support::window::{default_scene, widgets};
@@ -132,6 +140,158 @@ fn work_that_is_dropped_ends() {
     assert_eq!(told.recv(), Ok("it begins"));
     drop(work);
     assert_eq!(told.recv_timeout(30 * PAUSE), Ok("it ends"));
+}
+
+/// A study that is asked about the default scene, with the middle pixel explained if it is `probed`.
+fn ask(study: &mut Study, probed: bool, rests: bool, desk: &Desk) {
+    let mut record = SceneRecord::of(&default_scene().world);
+    record.view.pixel = probed.then_some([0.0; 2]);
+    let subject = Subject {
+        name: "default",
+        view: View::of(&record.spawn(), SMALL),
+        record: &Arc::new(record),
+        method: None,
+        workers: &Workers::alone(Level::new()),
+        rests,
+    };
+    study.ask(&subject, desk);
+}
+
+fn live() -> Study {
+    Study::new(Some(pool().expect("the system has threads")))
+}
+
+/// Whether a study works: progress or an answer is to be shown.
+fn works(mut study: Study) -> bool {
+    study.receive(PAUSE)
+}
+
+#[test]
+fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
+    let desk = Desk::default();
+    for is_probed in [false, true] {
+        let mut study = live();
+        ask(&mut study, is_probed, false, &desk);
+        assert_eq!(works(study), is_probed, "things move");
+    }
+    let changes: [(_, fn(&mut Study), _); 5] = [
+        (true, |it| it.outdate(Change::Pixel, None), false),
+        (false, |it| it.outdate(Change::Shown, None), true),
+        (false, |it| it.outdate(Change::Method, None), false),
+        (false, Study::stop_timing, true),
+        (false, Study::clear, false),
+    ];
+    for (is_probed, change, goes_on) in changes {
+        let mut study = live();
+        ask(&mut study, is_probed, true, &desk);
+        change(&mut study);
+        assert_eq!(works(study), goes_on);
+    }
+    let mut study = live();
+    study.facts.comparison.finish(None);
+    ask(&mut study, false, true, &desk);
+    ask(&mut study, true, true, &desk);
+    study.outdate(Change::Pixel, None);
+    assert!(!works(study), "the pixel stopped the proof");
+}
+
+#[test]
+fn methods_are_measured_once_and_where_times_are_shown() {
+    let is_measured = |shows_times: bool, is_known: bool| {
+        let mut study = live();
+        study.facts.comparison.finish(None);
+        if is_known {
+            study.facts.trade.finish(None);
+        }
+        let desk = Desk {
+            shows_times,
+            ..Desk::default()
+        };
+        ask(&mut study, false, true, &desk);
+        study.stop_timing();
+        // A proof goes on.
+        !works(study)
+    };
+    assert!(is_measured(true, false));
+    assert!(!is_measured(true, true), "even if that failed");
+    assert!(!is_measured(false, false));
+}
+
+#[test]
+fn an_answer_is_new_when_it_is_received() {
+    let mut study = live();
+    ask(&mut study, false, true, &Desk::default());
+    let mut is_new = study.receive(Duration::ZERO);
+    while study.facts.comparison.current().is_none() {
+        std::thread::yield_now();
+        is_new = study.receive(Duration::ZERO);
+    }
+    assert!(is_new);
+    study.clear();
+    assert!(study.facts.comparison.value.is_none());
+}
+
+#[test]
+fn the_reason_why_a_question_has_no_answer_is_told_once() {
+    let mut window = Window::of(default_scene(), SMALL);
+    let App {
+        document,
+        study,
+        canvas,
+        ..
+    } = &mut window.app;
+    let subject = Subject {
+        name: "too large",
+        record: &document.state,
+        view: View::of(&document.scene.world, [1 << 24; 2]),
+        method: None,
+        workers: canvas.pictures.frame.workers(),
+        rests: true,
+    };
+    let desk = Desk {
+        blinks: Some(Duration::ZERO),
+        ..Desk::default()
+    };
+    study.ask(&subject, &desk);
+    window.step(Vec::new());
+    assert!(!window.message().is_empty());
+    window.app.desk.message = None;
+    window.step(Vec::new());
+    assert_eq!(window.message(), "");
+}
+
+#[test]
+fn a_pixel_of_a_scene_opens_its_tab_once() {
+    let mut record = SceneRecord::of(&default_scene().world);
+    record.view.pixel = Some([0.0; 2]);
+    let mut window = Window::open();
+    window.app.document.restore(&record);
+    window.step(Vec::new());
+    assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
+    window.app.desk.tab = None;
+    window.step(Vec::new());
+    assert_eq!(window.app.desk.tab, None, "the user folded it");
+    let window = Window::of(Scene::spawn("probed".to_owned(), &record), SMALL);
+    assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
+}
+
+#[test]
+fn a_step_is_due_when_something_is() {
+    let due = |window: &Window| window.output.repaint_after;
+    let mut window = Window::of(default_scene(), SMALL);
+    window.press(Key::P);
+    assert!(due(&window) <= REST, "the picture does not rest yet");
+    window.wait(PAUSE);
+    window.wait(PAUSE);
+    assert_eq!(due(&window), Duration::MAX);
+    window.app.desk.say("a message");
+    window.step(Vec::new());
+    assert!(due(&window) <= reading_time("a message"));
+    assert!(reading_time("a message") < reading_time(&"a message".repeat(20)));
+    window.wait(due(&window));
+    assert_eq!(window.message(), "");
+    let (window, _) = on_file();
+    assert!(due(&window) < PAUSE, "the file may change");
 }
 
 #[test]

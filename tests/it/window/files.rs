@@ -8,6 +8,8 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, Queryable};
 use shadetrade::components::Light;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::window::app::App;
+use shadetrade::window::inspector::Tab;
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::window::widgets;
@@ -97,12 +99,17 @@ fn a_new_file_has_the_scenes_name_with_a_number_and_replaces_none() {
     assert_eq!(read(&file("cuboid.toml")).light[0].intensity, 3.0);
     assert_eq!(read(&file("cuboid-3.toml")), window.record());
     assert_eq!(fs::read(file("cuboid-2.toml")).expect("read"), b"mine");
-    for (name, told) in [("", "needs a name"), (" mine.toml", "saved")] {
+    for (name, told) in [
+        ("", "needs a name"),
+        ("a\nb", "saved"),
+        (" mine.toml", "saved"),
+    ] {
         window.app.document.file.new_name = name.to_owned();
         window.press_with(CONTROL_SHIFT, Key::S);
         assert!(window.message().contains(told), "{name}");
     }
     assert_eq!(read(&file("mine.toml")), window.record());
+    assert_eq!(read(&file("a_b.toml")), window.record());
 }
 
 #[test]
@@ -149,6 +156,23 @@ fn a_built_in_scene_is_chosen_from_a_list() {
 }
 
 #[test]
+fn another_scene_has_nothing_of_the_one_before() {
+    let (mut window, _) = on_file();
+    window.press(Key::E);
+    window.app.desk.selected = Some(("light", 2));
+    window.app.desk.file_error = Some("of this file".to_owned());
+    window.app.study.facts.trade.finish(None);
+    let mut record = window.record();
+    record.view.pixel = Some([0.0; 2]);
+    let scene = Scene::spawn("other".to_owned(), &record);
+    window.choose(scene);
+    let App { desk, study, .. } = &window.app;
+    assert_eq!((desk.selected, desk.tab), (None, Some(Tab::Pixel)));
+    assert_eq!(desk.file_error, None);
+    assert!(!study.facts.trade.is_current);
+}
+
+#[test]
 fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
     let (mut window, path) = on_file();
     window.press(Key::ArrowLeft);
@@ -181,6 +205,38 @@ fn a_changed_file_is_read_again_and_undo_restores_the_edits() {
     assert_eq!(window.record().light[0].intensity, 10.0);
     window.undo();
     assert_eq!(window.record().light[0].intensity, 4.0);
+}
+
+#[test]
+fn a_changed_file_moves_the_camera_that_it_moves_and_keeps_its_new_text() {
+    let (mut window, path) = on_file();
+    window.press(Key::ArrowLeft);
+    let moved = "orbit = { azimuth = 20.0, elevation = 0.0, zoom = 1.0 }\nfov = 30.0";
+    let text = BUILT_IN[0].1.replacen("fov = 30.0", moved, 1);
+    let start = |text: &str, count: usize| {
+        let mut starts = text.match_indices("\n[[camera]]");
+        starts.nth(count).expect("a camera").0
+    };
+    let third = text[start(&text, 1)..].replace("\"2\"", "\"3\"");
+    let text = format!("# Another program's words.\n{text}\n{third}\n[view]\ncamera = \"3\"\n");
+    fs::write(&path, &text).expect("written");
+    window.wait(PAUSE);
+    let record = window.record();
+    assert_eq!(record.camera[0].orbit.azimuth, 20.0);
+    assert_eq!(record.view.camera.as_deref(), Some("3"));
+    assert!(!window.message().contains("Ctrl Z"), "there were no edits");
+    // The camera that the user looks through is deleted.
+    (0..2).for_each(|_| window.press(Key::C));
+    edit(&mut window, 3.0);
+    let without = [&text[..start(&text, 1)], &text[start(&text, 2)..]].concat();
+    fs::write(&path, without).expect("written");
+    window.wait(PAUSE);
+    assert_eq!(window.record().view.camera.as_deref(), Some("3"));
+    assert!(window.message().contains("Ctrl Z"));
+    edit(&mut window, 4.0);
+    save(&mut window);
+    let saved = fs::read_to_string(&path).expect("text");
+    assert!(saved.starts_with("# Another program's words."), "{saved}");
 }
 
 #[test]
@@ -269,4 +325,8 @@ fn screenshots_are_the_pixels_that_are_shown() {
     for (saved, shown) in picture.pixels().zip(shown) {
         assert_eq!(saved.0, shown.to_be_bytes()[1..]);
     }
+    assert!(window.message().contains("shadetrade-001.png"));
+    window.app.document.folder.push("there is none");
+    window.press(Key::F12);
+    assert!(window.message().contains("no picture"));
 }

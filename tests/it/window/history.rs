@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::Key::{self, ArrowLeft, C, CloseBracket, F4, Num2, O, P, Plus, W};
-use egui::{Event, Modifiers};
+use egui::Modifiers;
 use shadetrade::components::{LightKind, Side};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::history::{State, history};
@@ -54,13 +54,7 @@ fn changes_of_one_gesture_are_one_step() {
     // A key that is held, two presses at once, the wheel without a pause, and a slow drag.
     window.key(Key::ArrowLeft, true);
     for _ in 0..5 {
-        window.step(vec![Event::Key {
-            key: Key::ArrowLeft,
-            modifiers: Modifiers::NONE,
-            physical_key: None,
-            pressed: true,
-            repeat: true,
-        }]);
+        window.step(vec![window.repeated(Key::ArrowLeft)]);
     }
     window.key(Key::ArrowLeft, false);
     states.push(window.record());
@@ -73,6 +67,11 @@ fn changes_of_one_gesture_are_one_step() {
         states.push(window.record());
         window.wait(PAUSE);
     }
+    // A key right after the wheel.
+    window.wheel(at, 1.0);
+    states.push(window.record());
+    window.press(Key::ArrowLeft);
+    states.push(window.record());
     window.drag(at, at + egui::vec2(90.0, 30.0), 200);
     states.push(window.record());
     for state in states.iter().rev().skip(1) {

@@ -8,19 +8,22 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use hecs::World;
+use shadetrade::components::NormalMode::Face;
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
 use shadetrade::components::{Light, ShadingMode, View, ViewMode, common_mode, viewer_mut};
 use shadetrade::frame::Workers;
 use shadetrade::scene::SceneRecord;
 use shadetrade::shading::Method;
 use shadetrade::trade::verdict::method_name;
-use shadetrade::window::canvas::Canvas;
+use shadetrade::window::canvas::{Canvas, REST};
 use shadetrade::window::chart::chart;
 use shadetrade::window::choice::Choice;
+use shadetrade::window::comparison::Comparison;
 use shadetrade::window::controls::shade;
 use shadetrade::window::desk::Desk;
-use shadetrade::window::document::Document;
+use shadetrade::window::document::{Document, has_edits};
 use shadetrade::window::facts::Facts;
+use shadetrade::window::keys::EXACT_SIDES;
 use shadetrade::window::panel::light_rows;
 use shadetrade::window::study::{Change, Study, Subject, change};
 
@@ -63,11 +66,35 @@ fn a_document_notes_edits_names_what_is_undone_and_takes_back_what_no_scene_may_
 }
 
 #[test]
+fn looking_is_no_edit_and_any_other_change_is() {
+    type Edit = fn(&mut SceneRecord);
+    let saved = record_after(|_| ());
+    let is_edit = |edit: Edit| has_edits(&record_after(edit), &saved);
+    let looking: [Edit; 5] = [
+        |it| it.light[0].on ^= true,
+        |it| it.cuboid[0].shading = Phong,
+        |it| it.cuboid[0].normals = Face,
+        |it| it.camera[0].orbit.azimuth = 2.0,
+        |it| it.view.tolerance = 2.0,
+    ];
+    let edits: [Edit; 5] = [
+        |it| it.background.x = 2.0,
+        |it| it.light[0].gain = 2.0,
+        |it| it.cuboid[0].size.x = 2.0,
+        |it| it.camera[0].fov = 2.0,
+        |it| drop(it.light.pop()),
+    ];
+    assert_eq!(looking.map(is_edit), [false; 5]);
+    assert_eq!(edits.map(is_edit), [true; 5]);
+}
+
+#[test]
 fn a_canvas_finds_its_pixels_at_their_places() {
     let mut canvas = Canvas::new(Workers::alone(Level::new()));
     canvas.place = Rect::from_min_max(Pos2::new(10.0, 20.0), Pos2::new(42.0, 44.0));
     canvas.scale = 2.0;
     assert_eq!(canvas.size(), VIEW);
+    assert_eq!(canvas.place_of([1, 0]), Pos2::new(10.75, 20.25), "middle");
     for pixel in [[0, 0], [63, 0], [17, 30], [63, 47]] {
         assert_eq!(canvas.pixel_at(canvas.place_of(pixel)), pixel);
     }
@@ -76,6 +103,85 @@ fn a_canvas_finds_its_pixels_at_their_places() {
         [0, 47],
         "the nearest"
     );
+}
+
+#[test]
+fn a_canvas_tells_the_time_of_a_frame_when_the_next_is_to_be_drawn() {
+    let [state, other] = [(); 2].map(|()| record_after(|_| ()));
+    let view = View::of(&state.spawn(), VIEW);
+    let mut canvas = Canvas::new(Workers::alone(Level::new()));
+    assert_eq!(canvas.last_frame(&state), None);
+    canvas.drawn = Some((Arc::clone(&state), view));
+    canvas.pictures.time = Some(5.0);
+    assert_eq!(canvas.last_frame(&other), Some(5.0));
+    assert_eq!(canvas.last_frame(&state), None, "nothing is to be drawn");
+}
+
+#[test]
+fn a_canvas_draws_a_view_of_another_size_and_rests_after_a_pause() {
+    let state = record_after(|_| ());
+    let mut world = state.spawn();
+    let mut canvas = Canvas::new(Workers::alone(Level::new()));
+    let mut now = Duration::ZERO;
+    for size in [VIEW, [32, 24]] {
+        let view = View::of(&world, size);
+        for pause in [Duration::ZERO, REST / 2, REST / 2] {
+            now += pause;
+            assert!(pause.is_zero() || !canvas.rests());
+            let drawn = canvas.draw(now, &mut world, &state, view);
+            drawn.expect("a small picture fits");
+            assert_eq!(canvas.pictures.frame.size(), size);
+        }
+        assert!(canvas.rests());
+    }
+}
+
+#[test]
+fn a_canvas_shows_the_comparison_of_the_present_picture_alone() {
+    let [exact, error_map] = [0x00ff_0000, 0x0000_00ff];
+    let mut facts = Facts::default();
+    let all = VIEW[0] * VIEW[1];
+    let filled = |pixel: u32| vec![pixel; all];
+    for (show, turn, pixel, count) in [
+        (ViewMode::Error, None, error_map, all),
+        (ViewMode::Picture, Some(0), exact, all),
+        (ViewMode::Wipe, None, exact, all / 2),
+    ] {
+        let state = record_after(|it| (it.view.show, it.view.sides) = (show, EXACT_SIDES));
+        let mut world = state.spawn();
+        let mut canvas = Canvas::new(Workers::alone(Level::new()));
+        let view = View::of(&world, VIEW);
+        let drawn = canvas.draw(Duration::ZERO, &mut world, &state, view);
+        drawn.expect("a small picture fits");
+        facts.comparison.finish(Some(Comparison {
+            exact: filled(exact),
+            error_map: filled(error_map),
+            error: None,
+        }));
+        let found = |facts: &Facts| {
+            let shown = canvas.shown(&state.view, facts, turn);
+            shown.iter().filter(|it| **it == pixel).count()
+        };
+        assert_eq!(found(&facts), count);
+        facts.comparison.is_current = false;
+        assert_eq!(found(&facts), 0);
+    }
+}
+
+#[test]
+fn squares_tint_the_cuboid_and_nothing_else() {
+    let state = record_after(|it| it.view.show = ViewMode::Tiles);
+    let mut world = state.spawn();
+    let mut canvas = Canvas::new(Workers::alone(Level::new()));
+    let view = View::of(&world, VIEW);
+    let drawn = canvas.draw(Duration::ZERO, &mut world, &state, view);
+    drawn.expect("a small picture fits");
+    let frame = canvas.pictures.frame.pixels();
+    let facts = Facts::default();
+    let shown = canvas.shown(&state.view, &facts, None);
+    for (shown, drawn) in shown.iter().zip(frame) {
+        assert_eq!(shown == drawn, *drawn == frame[0], "{shown:06x}");
+    }
 }
 
 #[test]
@@ -90,14 +196,22 @@ fn a_change_is_as_great_as_the_facts_that_it_outdates() {
     assert_eq!(by(|it| it.view.budget = Some(2.0)), Change::Nothing);
     assert_eq!(by(|it| it.view.pixel = Some([0.1; 2])), Change::Pixel);
     assert_eq!(by(|it| it.view.show = ViewMode::Error), Change::Shown);
+    assert_eq!(by(|it| it.view.sides = EXACT_SIDES), Change::Shown);
+    assert_eq!(by(|it| it.view.divider = 0.25), Change::Shown);
     assert_eq!(by(|it| it.view.tolerance = 1.0), Change::Method);
     assert_eq!(by(|it| it.cuboid[0].shading = Phong), Change::Method);
     assert_eq!(by(|it| it.light[0].on = false), Change::Scene);
     assert_eq!(by(|it| it.camera[0].orbit.azimuth = 1.0), Change::Scene);
     assert_eq!(by(|it| it.cuboid[0].size.x = 1.0), Change::Scene);
+    assert_eq!(by(|it| it.cuboid[0].normals = Face), Change::Scene);
     let wide = View::of(&before.spawn(), [80, 48]);
     let same = (&before, &view(&before));
     assert_eq!(change(same, (&before, &wide)), Change::Scene);
+    let [first, second] = [0.1, 0.2].map(|right| {
+        record_after(|it| (it.view.show, it.view.pixel) = (ViewMode::Wipe, Some([right, 0.0])))
+    });
+    let moved = change((&first, &wide), (&second, &wide));
+    assert_eq!(moved, Change::Shown, "perhaps to the other side");
 }
 
 #[test]

@@ -69,7 +69,8 @@ fn two_pictures_take_turns_while_a_key_is_held() {
             };
             assert!(window.app.shown() == expected, "{sides:?}, {turn}");
             assert!(window.output.repaint_after <= Duration::from_millis(500));
-            window.wait(Duration::from_millis(480));
+            window.now += Duration::from_millis(480);
+            window.step(vec![window.repeated(Key::B)]);
         }
         window.key(Key::B, false);
         assert!(window.app.shown() == before);
@@ -104,6 +105,10 @@ fn the_worst_pixel_is_probed_by_its_tag_and_its_key() {
     window.press(Key::Y);
     assert_eq!(probed(&window), Some(WORST[1]));
     assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
+    // The divider stays where it hides nothing.
+    window.app.viewer_mut().divider = 0.95;
+    window.press(Key::Y);
+    assert_eq!(window.app.viewer().divider, 0.95);
     // So does a click on the error in the status line.
     let mut window = Window::with(measured(), SIZE);
     window.press(Key::F5);

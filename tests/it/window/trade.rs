@@ -156,6 +156,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
 fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     let mut window = open();
     let start = window.record();
+    assert_eq!(window.app.milliseconds(), Some(0.2), "as measured");
     // As much time as Gouraud takes.
     window.press(Key::M);
     let budget = window.app.viewer().budget;
@@ -242,6 +243,9 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     };
     let mut app = App::new(drawing, true).expect("there are threads");
     run(&mut app, |app| app.study.facts.trade.current().is_some());
+    let error = app.study.facts.comparison.current();
+    assert!(error.is_some(), "it takes less time");
+    run(&mut app, |app| app.study.facts.proof.current().is_some());
     let measured = app.study.facts.trade.value.iter().flatten();
     let methods: Vec<Method> = measured.map(|it| it.method).collect();
     let mut known = METHODS.to_vec();

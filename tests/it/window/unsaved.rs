@@ -244,6 +244,9 @@ fn edits_that_cannot_be_written_are_told_once_and_hold_the_window() {
     window.press(Key::Q);
     assert!(!window.app.may_close(false).expect("it stays") && !window.app.desk.quits);
     assert!(window.message().contains("not closed"));
+    window.choose(Scene::load(Some("assignment")).expect("built in"));
+    assert!(window.message().contains("not opened"));
+    assert!(window.app.document.title().starts_with("cuboid*"));
     assert!(window.app.may_close(true).is_err());
     // As soon as there is a place, they are there.
     fs::remove_file(state_folder(&window)).expect("removed");
@@ -288,6 +291,7 @@ fn another_scene_leaves_the_edits_of_the_one_before_on_disk() {
     let edits = window.record();
     let other = Scene::load(Some("assignment")).expect("built in");
     window.choose(other);
+    assert!(window.message().contains("mine-unsaved.toml"));
     window.wait(PAUSE);
     assert!(window.app.document.title().contains("assignment"));
     window.undo();

@@ -128,6 +128,9 @@ fn every_button_does_what_its_key_does() {
     harness.get_by_label_contains("reset view").focus();
     press(&mut harness, Key::Space);
     assert!(!harness.state().viewer().turns);
+    press(&mut harness, Key::O);
+    let projection = harness.state().viewer().projection;
+    assert_eq!(projection, Projection::Orthographic, "O presses no widget");
 }
 
 #[test]

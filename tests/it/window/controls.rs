@@ -1,0 +1,137 @@
+//! The changes that keys make in a World, and the messages at their limits.
+
+use std::time::Duration;
+
+use shadetrade::components::ShadingMode::{Phong, UnitVectors};
+use shadetrade::components::{
+    NormalMode, Projection, Side, ViewMode, common, common_mode, viewer, viewer_mut,
+};
+use shadetrade::scene::{self, Scene, SceneRecord};
+use shadetrade::window::choice::Choice;
+use shadetrade::window::controls::{
+    Rotation, has_face_normals, next_camera, next_projection, set_tolerance, show, step_tolerance,
+    switch_light_named, switch_normals, wipe, zoom,
+};
+use shadetrade::window::facts::Facts;
+use shadetrade::window::keys::EXACT_SIDES;
+
+use super::trade::measured;
+use crate::support::records;
+use crate::support::window::default_scene;
+
+#[test]
+fn sides_of_a_wipe_follow_the_tolerance_that_they_had() {
+    let mut world = default_scene().world;
+    let side = |mode, tolerance| Side::Method { mode, tolerance };
+    for (before, sides, after) in [
+        (0.5, [side(Phong, 0.5), side(Phong, 1.0)], [2.0, 1.0]),
+        (0.0, [side(UnitVectors, 0.0), side(Phong, 0.0)], [0.0, 2.0]),
+    ] {
+        set_tolerance(&mut world, before);
+        wipe(&mut world, sides);
+        set_tolerance(&mut world, 2.0);
+        let found = viewer(&world).sides.map(|side| match side {
+            Side::Method { tolerance, .. } => tolerance,
+            _ => f64::NAN,
+        });
+        assert_eq!(found, after);
+    }
+    wipe(&mut world, EXACT_SIDES);
+    show(&mut world, ViewMode::Wipe);
+    assert_eq!(viewer(&world).sides, Side::gouraud_phong(2.0));
+}
+
+#[test]
+fn each_limit_has_its_own_message() {
+    let mut world = default_scene().world;
+    let last = |change: &mut dyn FnMut() -> Option<String>| (0..200).find_map(|_| change());
+    for (steps, words) in [(1, "end here"), (-1, "0")] {
+        let told = last(&mut || step_tolerance(&mut world, steps));
+        assert!(told.is_some_and(|it| it.contains(words)), "{words}");
+    }
+    for (steps, words) in [(1, "closer"), (-1, "further")] {
+        let told = last(&mut || zoom(&mut world, steps));
+        assert!(told.is_some_and(|it| it.contains(words)), "{words}");
+    }
+    let told = switch_light_named(&world, "moon");
+    assert!(told.is_some_and(|it| it.contains("moon")));
+}
+
+#[test]
+fn cameras_take_turns_and_a_single_one_says_so() {
+    let mut record = SceneRecord::of(&default_scene().world);
+    let mut world = record.spawn();
+    for name in ["2", "1"] {
+        assert_eq!(next_camera(&mut world), None);
+        assert_eq!(viewer(&world).camera.as_deref(), Some(name));
+    }
+    record.camera.truncate(1);
+    assert!(next_camera(&mut record.spawn()).is_some());
+}
+
+#[test]
+fn projections_take_turns() {
+    let mut world = default_scene().world;
+    for projection in [Projection::Orthographic, Projection::Perspective] {
+        next_projection(&mut world);
+        assert_eq!(viewer(&world).projection, projection);
+    }
+}
+
+#[test]
+fn normals_of_two_kinds_become_face_normals() {
+    let mut record = SceneRecord::of(&default_scene().world);
+    record.cuboid[0].normals = NormalMode::Face;
+    record
+        .cuboid
+        .push(records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]));
+    let mut world = record.spawn();
+    for is_face in [true, false] {
+        assert_eq!(has_face_normals(&world), !is_face);
+        switch_normals(&mut world);
+        assert_eq!(common(&world) == Some(NormalMode::Face), is_face);
+    }
+}
+
+#[test]
+fn cuboids_turn_by_the_clock_from_where_they_stopped() {
+    let mut world = default_scene().world;
+    let mut rotation = Rotation::default();
+    let after = |degrees: u32| Duration::from_millis(30) * degrees;
+    for (start, degrees, turned) in [(0, 400, 40), (1000, 1, 41)] {
+        rotation.switch(&mut world, after(start));
+        rotation.go_on(&mut world, after(start + degrees));
+        assert_eq!(viewer(&world).turned, turned);
+        rotation.switch(&mut world, after(start + degrees));
+    }
+}
+
+#[test]
+fn a_budget_is_within_its_range_and_its_outcome_tells_the_method() {
+    let mut world = default_scene().world;
+    let (mut choice, mut facts) = (Choice::default(), Facts::default());
+    viewer_mut(&mut world).tolerance = 4.0;
+    for wish in [0.0, 1e9] {
+        choice.set_budget(&mut world, Some(wish));
+        let text = scene::updated("", &SceneRecord::of(&world));
+        Scene::parse("saved", &text).unwrap_or_else(|error| panic!("{error}"));
+    }
+    choice.set_budget(&mut world, Some(0.1234));
+    assert_eq!(viewer(&world).budget, Some(0.12));
+    assert_eq!(viewer(&world).tolerance, 0.5, "the usual one");
+    let outcome = |choice: &Choice, facts: &Facts| choice.outcome(facts, Some(7.5), 0.45);
+    let unknown = outcome(&choice, &facts);
+    facts.trade.finish(Some(measured()));
+    choice.hold(Some(0.45), &facts, None);
+    let held = outcome(&choice, &facts);
+    assert!(
+        held.contains("0.410 ms") && held.contains("0.490"),
+        "{held}"
+    );
+    facts.trade.is_current = false;
+    let last = outcome(&choice, &facts);
+    assert!(last.contains("7.50 ms"), "{last}");
+    assert!(!unknown.contains("ms"), "{unknown}");
+    choice.set_budget(&mut world, None);
+    assert_eq!(common_mode(&world), Some(Phong));
+}
