@@ -23,7 +23,8 @@ const SHORTCUT: &str =
 /// The sides to choose from.
 fn choices() -> Vec<Side> {
     let methods = METHODS.iter().copied().map(Side::from);
-    methods.chain([Side::Picture, Side::Reference]).collect()
+    let others = [Side::Picture, Side::Reference].into_iter();
+    others.chain(methods).collect()
 }
 
 /// The name of a side; `shown` is the method on screen.

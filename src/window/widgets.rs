@@ -108,11 +108,15 @@ pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Respo
     let drag = drag.update_while_editing(false);
     let drag = drag.custom_parser(typed);
     let response = ui.add(drag.custom_formatter(format_number));
-    // The widget rounds the number to the digits that it shows even if nobody edits it.
+    keep_digits(value, before);
+    response
+}
+
+/// A widget rounds its number to the digits that it shows even if nobody edits it.
+fn keep_digits(value: &mut f64, before: f64) {
     if format_number(*value, 0..=0) == format_number(before, 0..=0) {
         *value = before;
     }
-    response
 }
 
 /// A slider for a number of any magnitude, between its name and its keys. `smallest` is the smallest number above 0.
@@ -123,7 +127,7 @@ pub fn slider(
     range: RangeInclusive<f64>,
     smallest: f64,
 ) {
-    let (least, most) = range.clone().into_inner();
+    let (before, (least, most)) = (*value, range.clone().into_inner());
     ui.horizontal(|ui| {
         ui.label(name).on_hover_text(says);
         // Number and keys beside it stay in sight.
@@ -131,6 +135,7 @@ pub fn slider(
         let slider = Slider::new(value, range).logarithmic(true);
         let slider = slider.smallest_positive(smallest).custom_parser(typed);
         let response = ui.add(slider.custom_formatter(format_number));
+        keep_digits(value, before);
         if response.on_hover_text(says).dragged() {
             // As fine as a hand moves a slider.
             *value = rounded(*value, 1).clamp(least, most);

@@ -256,11 +256,14 @@ fn number_field(ui: &mut Ui, key: &str, value: &mut Value) {
     if !is_typed {
         let (least, most) = range::of_key(key).into_inner();
         float = float.clamp(least, most);
-        if key == "segments" {
+        if value.is_u64() {
             float = float.round();
         }
     }
-    *value = json!(float);
+    *value = match value.is_u64() && float.fract() == 0.0 {
+        true => json!(float as u64),
+        false => json!(float),
+    };
 }
 
 /// A text field for a name. The name changes when the field loses the focus.

@@ -70,7 +70,7 @@ height = 6
 
 /// Tables as arrays of their values.
 const ARRAYS: &str = r#"
-cuboid = [["a", [1, 2, 3], [0, 0, 0], [0, 0, 0], "phong", "face", [[1, 1, 1], [0, 0, 0], [0, 0, 0], 1]]]
+cuboid = [["a", [1, 2, 3], [0, 0, 0], [0, 0, 0], "phong", "face", 4, [[1, 1, 1], [0, 0, 0], [0, 0, 0], 1]]]
 [[camera]]
 name = "front"
 position = [0, 0, 8]

@@ -31,6 +31,8 @@ struct Machine {
 pub struct Method {
     pub id: String,
     pub mode: String,
+    #[serde(deserialize_with = "Option::deserialize")]
+    pub segments: Option<u32>,
     pub tolerance: f64,
     pub threads: u64,
     pub ms: Timing,

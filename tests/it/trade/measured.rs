@@ -262,8 +262,8 @@ fn what_cannot_be_measured_or_written_is_an_error() {
         "{said}"
     );
     let parent = tempfile::tempdir().expect("there is room for a folder");
-    // Per pixel: three reference pictures of 28 bytes, a frame of 17, a list of errors of 8, a map of 4 for each method.
-    let bytes = (84 + 17 + 8 + 4 * METHODS.len()) as f64 * 2.0_f64.powi(48) / 1e6;
+    // Per pixel: four reference pictures of 28 bytes, a frame of 17, a list of errors of 8, a map of 4 for each method.
+    let bytes = (112 + 17 + 8 + 4 * METHODS.len()) as f64 * 2.0_f64.powi(48) / 1e6;
     let needed = format!(
         "cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory: it takes {bytes:.0} MB"
     );

@@ -22,7 +22,11 @@ use crate::support::window::default_scene;
 #[test]
 fn sides_of_a_wipe_follow_the_tolerance_that_they_had() {
     let mut world = default_scene().world;
-    let side = |mode, tolerance| Side::Method { mode, tolerance };
+    let side = |mode, tolerance| Side::Method {
+        mode,
+        segments: None,
+        tolerance,
+    };
     for (before, sides, after) in [
         (0.5, [side(Phong, 0.5), side(Phong, 1.0)], [2.0, 1.0]),
         (0.0, [side(UnitVectors, 0.0), side(Phong, 0.0)], [0.0, 2.0]),

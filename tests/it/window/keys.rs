@@ -5,7 +5,9 @@ use std::collections::HashSet;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode};
+use shadetrade::components::{
+    NormalMode, Orbit, Projection, Segments, ShadingMode, Side, ViewMode,
+};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::inspector::Tab;
@@ -32,6 +34,7 @@ fn prepare(window: &mut Window, action: Action) {
             window.undo();
         }
         Action::Close => window.press(Key::H),
+        Action::Segments(_) => window.press(Key::Period),
         // The first of them probes the middle.
         Action::Probe(..) => window.press_with(Modifiers::SHIFT, Key::ArrowUp),
         _ => {}
@@ -61,6 +64,10 @@ fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneReco
         Action::Tolerance(way) => {
             view.tolerance = if way > 0 { 1.0 } else { 0.25 };
             view.sides = Side::gouraud_phong(view.tolerance);
+        }
+        Action::Segments(steps) => {
+            record.cuboid[0].segments =
+                Segments::new(if steps > 0 { 4 } else { 1 }).expect("it is legal")
         }
         Action::HoldTime => view.budget = Some(1.0),
         Action::NextProjection => view.projection = Projection::Orthographic,

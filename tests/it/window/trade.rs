@@ -6,12 +6,12 @@ use egui::{Key, Pos2, RawInput};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Side, View, ViewMode, common_mode};
+use shadetrade::components::{Segments, Side, View, ViewMode, common, common_mode};
 use shadetrade::drawing::Drawing;
 use shadetrade::metrics::ErrorStatistics;
 use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
-use shadetrade::shading::{METHODS, Method};
+use shadetrade::shading::{Method, methods};
 use shadetrade::trade::Measurement;
 use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
@@ -26,7 +26,12 @@ const SIZE: [usize; 2] = [900, 700];
 /// The worst pixels of Phong and of Gouraud, in the left and in the right half of a wide picture.
 pub const WORST: [[usize; 2]; 2] = [[430, 400], [700, 330]];
 
-/// Milliseconds and errors of [`METHODS`]: a smaller error takes longer, except for exact Gouraud and the shortcut.
+/// The methods with the cuboids' own segments.
+fn plain() -> Vec<Method> {
+    methods(None).filter(|it| it.segments.is_none()).collect()
+}
+
+/// Milliseconds and errors of [`plain`] methods: a smaller error takes longer, except for exact Gouraud and the shortcut.
 pub fn measured() -> Vec<Measurement> {
     let figures = [
         (0.8, 165.0),
@@ -39,7 +44,7 @@ pub fn measured() -> Vec<Measurement> {
         (0.5, 0.24),
         (1.0, 0.0006),
     ];
-    let methods = METHODS.iter().zip(figures);
+    let methods = plain().into_iter().zip(figures);
     let measured = methods.map(|(method, (time, error))| Measurement {
         on_front: ![0.8, 1.9].contains(&time),
         highlight_kept: Some(0.1),
@@ -48,7 +53,7 @@ pub fn measured() -> Vec<Measurement> {
             max_pixel: WORST[usize::from(method.mode == Gouraud)],
             ..ErrorStatistics::default()
         }),
-        ..live(*method, time, error)
+        ..live(method, time, error)
     });
     measured.collect()
 }
@@ -72,14 +77,14 @@ fn open() -> Window {
     Window::with(app_with_trade(SIZE), SIZE)
 }
 
-/// The positions of the dots in the window, in the order of [`METHODS`].
+/// The positions of the dots in the window, in the order of [`plain`].
 fn dots() -> Vec<Pos2> {
     let harness = widgets(app_with_trade(SIZE), SIZE);
     let dot = |method: &Method| {
         let label = format!("choose {}", method_name(*method));
         places(&harness, &label)[0]
     };
-    METHODS.iter().map(dot).collect()
+    plain().iter().map(dot).collect()
 }
 
 #[test]
@@ -98,7 +103,7 @@ fn dots_lie_by_time_and_error() {
 #[test]
 fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
     let mut window = open();
-    for (method, at) in METHODS.iter().zip(dots()) {
+    for (method, at) in plain().iter().zip(dots()) {
         window.click(at);
         if method.mode == UnitVectors {
             let viewer = window.app.viewer();
@@ -114,7 +119,7 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
         }
     }
     let mut harness = widgets(app_with_trade(SIZE), SIZE);
-    let mut rest = METHODS.to_vec();
+    let mut rest = plain();
     rest.retain(|it| it.mode != UnitVectors);
     // At most one round through the window.
     let mut steps = 0..200;
@@ -130,6 +135,18 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
         }
     }
     assert_eq!(rest, []);
+}
+
+#[test]
+fn the_dot_of_a_grid_gives_its_segments_to_all_cuboids() {
+    let mut world = default_scene().world;
+    let grid = methods(None).find(|it| it.id == "gouraud-8x8-0.5");
+    choose_method(&mut world, grid.expect("it is measured"));
+    assert_eq!(common(&world), Segments::new(8));
+    assert_eq!(common_mode(&world), Some(Gouraud));
+    // Its own dot is that of the scene's segments now.
+    let ids: Vec<&str> = methods(common(&world)).map(|it| it.id).collect();
+    assert!(ids.contains(&"gouraud-1x1-0.5") && !ids.contains(&"gouraud-8x8-0.5"));
 }
 
 #[test]
@@ -247,10 +264,10 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     assert!(error.is_some(), "it takes less time");
     run(&mut app, |app| app.study.facts.proof.current().is_some());
     let measured = app.study.facts.trade.value.iter().flatten();
-    let methods: Vec<Method> = measured.map(|it| it.method).collect();
-    let mut known = METHODS.to_vec();
+    let found: Vec<Method> = measured.map(|it| it.method).collect();
+    let mut known: Vec<Method> = methods(Some(Segments::default())).collect();
     known.retain(|it| it.mode != UnitVectors);
-    assert_eq!(methods, known);
+    assert_eq!(found, known);
     let [shown, beside] = [0.7, 0.3].map(|tolerance| Method::of(Phong, tolerance));
     let world = &mut app.document.scene.world;
     choose_method(world, shown);
