@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! FILE.obj   o NAME   v: 8 corners   vn: 8 corner normals or 6 face normals   f: 12 triangles, corner//normal
+//!            with several segments: for each face the points of its grid, and the triangles of its cells
 //! FILE.mtl   newmtl NAME   Ka Kd Ks Ns: the coefficients and the exponent of the model
 //! ```
 //! OBJ has neither lights nor cameras, so those are comments. Each number is the shortest that is read back as the same f64.
@@ -120,16 +121,40 @@ fn object(
     let (position, rotation) = (cuboid.position, cuboid.rotation);
     let axes = Transform { position, rotation }.turned(turned).axes();
     let mesh = Mesh::cuboid(cuboid.size);
+    let shading = cuboid.shading.name();
+    lines.push(format!("# the next is shaded by {shading}"));
+    lines.extend([format!("o {name}"), format!("usemtl {name}")]);
+    let normals = Normals::new(cuboid.normals, &mesh, axes);
+    let count = cuboid.segments.count();
+    if count > 1 {
+        let at = |index: usize| 2.0 * index as f64 / count as f64 - 1.0;
+        let points = || (0..=count).flat_map(|j| (0..=count).map(move |i| [i, j]));
+        for face in 0..FACES.len() {
+            let own = normals.of_face(face);
+            for (place, normal) in points().map(|it| mesh.on_face(face, &own, it.map(at))) {
+                lines.push(format!("v{}", numbers(position + axes * place)));
+                lines.push(format!("vn{}", numbers(normal)));
+            }
+            let name = |[i, j]: [usize; 2]| {
+                let point = j * (count + 1) + i;
+                format!("{}//{}", *corner + point, *normal + point)
+            };
+            let cells = points().filter(|it| !it.contains(&count));
+            for [a, b, c, d] in cells.map(|cell| Mesh::cell(face, cell).map(name)) {
+                lines.extend([format!("f {a} {b} {c}"), format!("f {a} {c} {d}")]);
+            }
+            *corner += (count + 1).pow(2);
+            *normal += (count + 1).pow(2);
+        }
+        return;
+    }
     let corners = mesh.corners.map(|corner| position + axes * corner);
-    let normals = match Normals::new(cuboid.normals, &mesh, axes) {
+    let normals = match normals {
         Normals::Corner(normals) => normals.to_vec(),
         faces @ Normals::Face(_) => (0..FACES.len())
             .map(|face| faces.of_face(face)[0])
             .collect(),
     };
-    let shading = cuboid.shading.name();
-    lines.push(format!("# the next is shaded by {shading}"));
-    lines.extend([format!("o {name}"), format!("usemtl {name}")]);
     lines.extend(corners.iter().map(|it| format!("v{}", numbers(*it))));
     lines.extend(normals.iter().map(|it| format!("vn{}", numbers(*it))));
     for (triangle, vertices) in TRIANGLES.iter().enumerate() {

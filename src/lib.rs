@@ -14,7 +14,7 @@
 //!
 //! **Entities, components, systems.** All that a user can change is in a [`hecs::World`]. Its entities are cuboids, lights,
 //! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
-//! `Material`, a `ShadingMode` and a `NormalMode`; the viewer has a `Viewer` with the active camera, the projection, the tolerance
+//! `Material`, a `ShadingMode`, a `NormalMode` and `Segments`; the viewer has a `Viewer` with the active camera, the projection, the tolerance
 //! and the other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
 //!
 //! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
@@ -34,7 +34,7 @@
 //! 3. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel. [`components::Camera::of`] says where a camera stands once its orbit has moved it.
 //! 4. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud: at the eight corners,
-//!    or with face normals at the four of each visible face.
+//!    with face normals at the four of each visible face, or with several segments at the points of a grid ([`shading::grid`]).
 //! 5. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
 //!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader. The display step
 //!    comes once and last:

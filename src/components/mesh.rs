@@ -96,6 +96,31 @@ impl Mesh {
         }
     }
 
+    /// A point (u, v) of a face, -1 to 1 along its edges: its place, and its unit normal between those at the corners.
+    pub fn on_face(&self, face: usize, normals: &[DVec3; 4], [u, v]: [f64; 2]) -> (DVec3, DVec3) {
+        let corners = FACES[face].map(|corner| self.corners[usize::from(corner)]);
+        let axes = [(face / 2 + 1) % 3, (face / 2 + 2) % 3];
+        let mut place = corners[0];
+        for (axis, share) in axes.into_iter().zip([u, v]) {
+            place[axis] = self.corners[7][axis] * share;
+        }
+        let weight = |corner: DVec3| {
+            (1.0 + u * corner[axes[0]].signum()) * (1.0 + v * corner[axes[1]].signum())
+        };
+        let terms = corners.iter().zip(normals);
+        let normal = terms.map(|(corner, normal)| *normal * weight(*corner));
+        (place, unit(normal.sum()))
+    }
+
+    /// The corners of a cell of a face's grid, by the points' numbers along the face's axes, in the order of [`FACES`].
+    pub fn cell(face: usize, [i, j]: [usize; 2]) -> [[usize; 2]; 4] {
+        let axes = [(face / 2 + 1) % 3, (face / 2 + 2) % 3];
+        FACES[face].map(|corner| {
+            let [right, up] = axes.map(|axis| usize::from(corner >> axis & 1));
+            [i + right, j + up]
+        })
+    }
+
     /// The full edge lengths, in world units: those that [`Mesh::cuboid`] was given.
     pub fn size(&self) -> DVec3 {
         self.corners[7] - self.corners[0]

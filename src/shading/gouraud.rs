@@ -49,8 +49,8 @@ pub enum Source<'a> {
 /// The squares of a grid that were prepared last.
 #[derive(Debug, Default)]
 pub struct GridSquares {
-    /// Those without a [`Patch`]: each of their pixels finds its cell.
-    in_many_cells: Squares,
+    /// Those without a [`Patch`]: each of their pixels looks its cell up.
+    looked_up: Squares,
     /// w times their places on the grid, over w at the middle of each square, counted from a point of the grid.
     places: [Affine<[f32; 4]>; 2],
     origins: [[f64; 2]; 4],
@@ -121,7 +121,7 @@ impl<'a> Gouraud<'a> {
                     scaled(&self.colors_by_pixel[triangle].map(|color| color[channel]))
                 })),
                 error: splat(0.0),
-                in_many_cells: 0,
+                looked_up: 0,
             };
             return self.prepare_cells(simd, middle, w, &on_face, interpolate);
         };
@@ -182,7 +182,7 @@ impl<'a> Gouraud<'a> {
         if !interpolate {
             return None;
         }
-        let is_cut = meets[0] & meets[1] | mask64x4::from_bitmask(simd, cells.in_many_cells);
+        let is_cut = meets[0] & meets[1] | mask64x4::from_bitmask(simd, cells.looked_up);
         let rest = splat(self.tolerance) - error - cells.error - rounding * AMPLIFICATION;
         let rest = (bounded & !is_cut).select(rest, splat(-1.0));
         let sample = inlined!(|xy| {
@@ -227,7 +227,7 @@ impl<'a> Gouraud<'a> {
             let places = two!(|axis| at.affine(&squares.places[axis], xy) * inverse);
             grid.levels(simd, squares.origins[index], places)
         });
-        has(squares.in_many_cells, index).then_some(levels)
+        has(squares.looked_up, index).then_some(levels)
     }
 
     /// See [`super::Shader::levels_f64`].
@@ -302,10 +302,10 @@ impl GridSquares {
             (diagonal, colors)
         };
         let on_patches: [(Affine<f64>, [Affine; 2]); 4] = patches.map(on_patch);
-        let in_many_cells = (0..4)
+        let looked_up = (0..4)
             .map(|it| u64::from(patches[it].is_none()) << it)
             .sum();
-        self.in_many_cells = in_many_cells;
+        self.looked_up = looked_up;
         self.origins = four!(|square| two!(|axis| {
             let middle = places[axis].centre[square].clamp(0.0, grid.segments as f64);
             middle.floor()
@@ -337,7 +337,7 @@ impl GridSquares {
                 Some(patch) => patch.error + patch.slope * outside[square],
                 None => grid.rounding(two!(|axis| largest[axis][square])),
             }),
-            in_many_cells,
+            looked_up,
         }
     }
 }
@@ -354,7 +354,7 @@ struct Cells<S: Simd> {
     /// In levels.
     error: f64x4<S>,
     /// See [`GridSquares`].
-    in_many_cells: Squares,
+    looked_up: Squares,
 }
 
 #[cfg(test)]

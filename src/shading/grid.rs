@@ -421,7 +421,7 @@ mod tests {
             assert!(patch.error <= 2.0);
             let mut largest = 0.0_f64;
             for step in 0..=40 * 40 {
-                let share = [step % 41, step / 41].map(|it| it as f64 / 40.0);
+                let share = [step % 41, step / 41].map(|it| f64::from(it) / 40.0);
                 let place = two!(|axis| {
                     let place = least[axis] + share[axis] * (most[axis] - least[axis]);
                     place.clamp(0.0, count)

@@ -65,7 +65,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             for face in seen() {
                 let normals = normals.of_face(face);
                 indices[face / 2] = grids.add(segments, |uv| {
-                    let (place, normal) = on_face(mesh, face, &normals, uv);
+                    let (place, normal) = mesh.on_face(face, &normals, uv);
                     levels(place, normal)
                 });
             }
@@ -88,23 +88,6 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         frame.counts.model_evaluations += evaluations;
         frame.counts.specular_evaluations += evaluations * surface.powers() as u64;
     }
-}
-
-/// A point (u, v) of a face, -1 to 1 along its edges: its place relative to the cuboid's centre, in the cuboid's axes, and its
-/// unit normal, between the normals at the corners.
-fn on_face(mesh: &Mesh, face: usize, normals: &[DVec3; 4], [u, v]: [f64; 2]) -> (DVec3, DVec3) {
-    let corners = FACES[face].map(|corner| mesh.corners[usize::from(corner)]);
-    let axis = face / 2;
-    let mut place = corners[0];
-    let mut normal = DVec3::ZERO;
-    for (axis, share) in [((axis + 1) % 3, u), ((axis + 2) % 3, v)] {
-        place[axis] = mesh.corners[7][axis] * share;
-    }
-    for (corner, own) in corners.iter().zip(normals) {
-        let weight = |axis: usize, share: f64| 1.0 + share * corner[axis].signum();
-        normal += *own * (weight((axis + 1) % 3, u) * weight((axis + 2) % 3, v));
-    }
-    (place, unit(normal))
 }
 
 /// Sums the lights that are on, by position. Ambient lights get a position at infinity, where no other light can be.

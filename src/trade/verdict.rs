@@ -24,6 +24,9 @@ pub fn verdict(measured: &[Measurement]) -> String {
     let mut grids = measured.iter().filter(|it| it.method.segments.is_some());
     let is_unseen = |it: &&Measurement| it.largest_error().is_some_and(|it| it <= 2.0 * UNSEEN);
     let enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
+    // Where one cell suffices, more are not worth a word.
+    let one = find(measured, Method::of(Gouraud, UNSEEN));
+    let enough = enough.filter(|_| one.is_none_or(|it| !is_unseen(&it)));
     let told = subjects.into_iter().filter_map(of).chain(enough);
     let sentences: Vec<String> = told.filter_map(|it| against_phong(measured, it)).collect();
     sentences.join(" ")

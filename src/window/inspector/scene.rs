@@ -260,9 +260,11 @@ fn number_field(ui: &mut Ui, key: &str, value: &mut Value) {
             float = float.round();
         }
     }
-    *value = match value.is_u64() && float.fract() == 0.0 {
-        true => json!(float as u64),
-        false => json!(float),
+    // A whole number stays one: as another type of JSON it would count as an edit.
+    *value = if value.is_u64() && float.fract() == 0.0 {
+        json!(float as u64)
+    } else {
+        json!(float)
     };
 }
 

@@ -73,6 +73,55 @@ fn an_exported_scene_is_read_back_bit_for_bit() {
 }
 
 #[test]
+fn with_segments_each_face_is_exported_as_its_grid() {
+    let folder = folder();
+    put(folder.path(), "two.toml", two());
+    assert_works(folder.path(), "export two.toml --segments 3 -o two.obj");
+    let file = folder.path().join("two.obj");
+    let (models, _) = tobj::load_obj(&file, &LoadOptions::default()).expect("an OBJ file");
+    let scene = Scene::load_path(&folder.path().join("two.toml")).expect("a scene");
+    let cuboids =
+        in_file_order::<Parts, _>(&scene.world, |(at, mesh, mode, _)| (*at, *mesh, *mode));
+    for (model, (at, cuboid, mode)) in models.iter().zip(cuboids) {
+        let read = &model.mesh;
+        assert_eq!(
+            (read.positions.len(), read.indices.len()),
+            (3 * 6 * 16, 3 * 6 * 18)
+        );
+        let mut area = 0.0;
+        let own = |world: DVec3| at.axes().transpose() * world;
+        for (places, normals) in read.indices.chunks(3).zip(read.normal_indices.chunks(3)) {
+            let places = [0, 1, 2].map(|it| own(three(&read.positions, places[it]) - at.position));
+            let across = (places[1] - places[0]).cross(places[2] - places[0]);
+            area += across.length() / 2.0;
+            // A face, and its triangles are counter-clockwise seen from outside.
+            let axis = (0..3)
+                .find(|axis| across[*axis].abs() > 1e-9)
+                .expect("an area");
+            let half = cuboid.corners[7];
+            for (place, index) in places.into_iter().zip(normals) {
+                let out = across[axis].signum();
+                assert!((place[axis] - out * half[axis]).abs() < 1e-12);
+                let share = place / half;
+                let thirds = share.to_array().map(|it| (it + 1.0) * 1.5);
+                assert!(
+                    thirds.iter().all(|it| (it - it.round()).abs() < 1e-9),
+                    "{thirds:?}"
+                );
+                let expected = match mode {
+                    NormalMode::Corner => share.normalize(),
+                    NormalMode::Face => across.normalize(),
+                };
+                assert!((own(three(&read.normals, *index)) - expected).length() < 1e-12);
+            }
+        }
+        let size = cuboid.size();
+        let whole = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+        assert!((area - whole).abs() < 1e-9, "{area} of {whole}");
+    }
+}
+
+#[test]
 fn each_object_has_a_name_of_its_own_and_the_library_one_without_blanks() {
     let folder = folder();
     let cubes = ["a b", "a_b_2", "a,b"].map(|name| cube(name, [0.0; 3]));

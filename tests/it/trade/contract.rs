@@ -93,6 +93,12 @@ pub fn read(text: &str) -> Report {
         let what = &method.id;
         let is_named = what.starts_with(&method.mode) || what.is_empty();
         assert!(is_named, "{what} is {}", method.mode);
+        if let Some(count) = method.segments {
+            assert_eq!(
+                *what,
+                format!("gouraud-{count}x{count}-{}", method.tolerance)
+            );
+        }
         assert!(method.edge_pixels <= (width * height) as u64, "{what}");
         let ms = &method.ms;
         let least = ms.raw.iter().copied().fold(f64::INFINITY, f64::min);

@@ -67,7 +67,7 @@ fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneReco
         }
         Action::Segments(steps) => {
             record.cuboid[0].segments =
-                Segments::new(if steps > 0 { 4 } else { 1 }).expect("it is legal")
+                Segments::new(if steps > 0 { 4 } else { 1 }).expect("it is legal");
         }
         Action::HoldTime => view.budget = Some(1.0),
         Action::NextProjection => view.projection = Projection::Orthographic,
