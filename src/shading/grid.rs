@@ -34,6 +34,9 @@ struct FaceGrid {
     steepest: [f64; 2],
 }
 
+/// Memory for so many points, 2.4 MB, is not given back.
+const KEPT: usize = 100_000;
+
 impl Grids {
     /// The number of points of a cuboid's visible faces, which are three at most. One segment needs no grid.
     pub fn points(segments: Segments) -> usize {
@@ -48,7 +51,7 @@ impl Grids {
     /// # Errors
     /// If there is too little memory.
     pub fn reserve(&mut self, size: [usize; 2], points: usize) -> Result<(), OutOfMemory> {
-        memory::clear(&mut self.levels, points);
+        memory::clear(&mut self.levels, points.max(KEPT));
         self.faces.clear();
         if points > self.levels.capacity() {
             let needed = points.saturating_mul(size_of::<DVec3>());

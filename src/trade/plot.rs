@@ -60,8 +60,8 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     let key = if methods.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
-        "Filled: a best trade; the grey line joins them. Bar: the range of a method's time. The coloured line joins \
-         Gouraud with ever more vertices. An error below 0.001 is drawn at 0.001."
+        "Filled: a best trade; the grey line joins them. Orange line: Gouraud with more and more vertices. Bar: the range \
+         of times. An error below 0.001 is drawn at 0.001."
     };
     chart::svg(SIZE, |area| {
         let title = "The cost and the error of each shading method";

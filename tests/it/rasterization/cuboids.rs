@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{LightKind, Mesh, Projected, Projection, ShadingMode, View};
+use shadetrade::components::{LightKind, Mesh, Projected, Projection, Segments, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::prove;
 use shadetrade::report::Monitor;
@@ -127,7 +127,8 @@ fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
             let size = SIZES[case % SIZES.len()];
             let (mut world, view) = scene(&mut random, size);
             let mode = [ShadingMode::Phong, ShadingMode::Gouraud][case % 2];
-            let view = view.shaded(mode).with_tolerance([0.5, 0.0][case / 2 % 2]);
+            let mut view = view.shaded(mode).with_tolerance([0.5, 0.0][case / 2 % 2]);
+            view.segments = Segments::new([1, 2, 9, 100][case / 4 % 4]);
             systems::draw(&mut world, &view, &mut alone).expect("a small picture fits");
             let whole = Bits::of(&alone);
             for frame in [&mut two, &mut four] {
@@ -153,7 +154,8 @@ fn no_pixel_of_any_cuboid_is_refuted() {
             let size = [[64, 48], [97, 73], [33, 129]][case % 3];
             let (mut world, view) = scene(&mut random, size);
             let mode = [ShadingMode::Phong, ShadingMode::Gouraud][case % 2];
-            let view = view.shaded(mode).with_tolerance(0.5);
+            let mut view = view.shaded(mode).with_tolerance(0.5);
+            view.segments = Segments::new([1, 2, 9, 100][case / 2 % 4]);
             let proof = prove(&mut world, &view, None, Level::new(), Monitor::NONE)
                 .expect("it is not cancelled");
             assert_eq!(proof.refuted, 0, "{view:?}: {:?}", proof.examples);

@@ -3,7 +3,7 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{Projection, ShadingMode, View};
+use shadetrade::components::{Projection, Segments, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::{simd, systems};
 
@@ -83,6 +83,24 @@ fn every_simd_level_of_this_machine_draws_the_same_bits() {
                     assert!(same, "{}, {view:?}", simd::name(level));
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn silhouettes_do_not_depend_on_segments() {
+    let mut world = still_life(3);
+    for view in views([96, 80]) {
+        let mut view = view.shaded(ShadingMode::Gouraud);
+        let mut drawn = |cells| {
+            view.segments = Segments::new(cells);
+            Bits::of(&draw(&mut world, &view, Keep::Levels))
+        };
+        let one = drawn(1);
+        for cells in [2, 7, 256] {
+            let more = drawn(cells);
+            assert!(more.triangles == one.triangles, "{cells}");
+            assert!(more.levels != one.levels, "{cells}");
         }
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{Material, Projection, ShadingMode, TriangleId, View};
+use shadetrade::components::{Material, Projection, Segments, ShadingMode, TriangleId, View};
 use shadetrade::frame::Frame;
 
 use crate::support::scene::{MODES, empty, placed, spawn_cuboid, spawn_light, view};
@@ -59,6 +59,11 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
             };
             let view = view.shaded(mode);
             views.extend(tolerances.iter().map(|it| view.with_tolerance(*it)));
+        }
+        for (cells, tolerance) in [(2, 0.5), (7, 0.0), (64, 0.5)] {
+            let mut view = view.shaded(ShadingMode::Gouraud);
+            view.segments = Segments::new(cells);
+            views.push(view.with_tolerance(tolerance));
         }
     }
     views
