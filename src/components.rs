@@ -26,9 +26,11 @@ mod view;
 mod viewer;
 
 pub use self::camera::{Camera, Lens, Projection};
-pub use self::entity::{FileOrder, Name, common, get, in_file_order, names, ordered, overwrite};
+pub use self::entity::{
+    FileOrder, Name, alike, common, get, in_file_order, names, ordered, overwrite,
+};
 pub use self::light::{Illumination, Light, LightKind, PointLight};
-pub use self::mesh::{FACES, Mesh, TRIANGLES, TriangleId, outward_sign};
+pub use self::mesh::{FACES, Mesh, TRIANGLES, TriangleId, axes_along, outward_sign};
 pub use self::orbit::Orbit;
 pub use self::surface::{
     Material, NormalMode, Normals, Polygon, Projected, Segments, ShadingMode, VertexColors,

@@ -127,11 +127,10 @@ fn object(
     let normals = Normals::new(cuboid.normals, &mesh, axes);
     let count = cuboid.segments.count();
     if count > 1 {
-        let at = |index: usize| 2.0 * index as f64 / count as f64 - 1.0;
-        let points = || (0..=count).flat_map(|j| (0..=count).map(move |i| [i, j]));
+        let grid = || cuboid.segments.grid();
         for face in 0..FACES.len() {
             let own = normals.of_face(face);
-            for (place, normal) in points().map(|it| mesh.on_face(face, &own, it.map(at))) {
+            for (place, normal) in grid().map(|(_, uv)| mesh.on_face(face, &own, uv)) {
                 lines.push(format!("v{}", numbers(position + axes * place)));
                 lines.push(format!("vn{}", numbers(normal)));
             }
@@ -139,12 +138,13 @@ fn object(
                 let point = j * (count + 1) + i;
                 format!("{}//{}", *corner + point, *normal + point)
             };
-            let cells = points().filter(|it| !it.contains(&count));
+            let cells = grid().map(|(point, _)| point);
+            let cells = cells.filter(|it| !it.contains(&count));
             for [a, b, c, d] in cells.map(|cell| Mesh::cell(face, cell).map(name)) {
                 lines.extend([format!("f {a} {b} {c}"), format!("f {a} {c} {d}")]);
             }
-            *corner += (count + 1).pow(2);
-            *normal += (count + 1).pow(2);
+            *corner += cuboid.segments.points();
+            *normal += cuboid.segments.points();
         }
         return;
     }

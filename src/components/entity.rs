@@ -31,10 +31,14 @@ pub fn get<C: Component + Clone>(world: &World, entity: Entity) -> Option<C> {
 
 /// The value that a component has in all entities; `None` if they differ, or if there is none.
 pub fn common<C: Component + Copy + PartialEq>(world: &World) -> Option<C> {
-    let mut query = world.query::<&C>();
-    let mut values = query.iter();
-    let first = *values.next()?;
-    values.all(|value| *value == first).then_some(first)
+    alike(world.query::<&C>().iter().copied())
+}
+
+/// The value that all of these are; `None` if they differ, or if there is none.
+pub fn alike<C: PartialEq>(values: impl IntoIterator<Item = C>) -> Option<C> {
+    let mut values = values.into_iter();
+    let first = values.next()?;
+    values.all(|value| value == first).then_some(first)
 }
 
 /// The name in the scene file: not empty, unique within its kind.

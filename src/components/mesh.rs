@@ -31,6 +31,11 @@ pub fn outward_sign(face: usize) -> f64 {
     if face.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
+/// The two axes along a face, as [`FACES`] counts: those of u and v.
+pub fn axes_along(face: usize) -> [usize; 2] {
+    [(face / 2 + 1) % 3, (face / 2 + 2) % 3]
+}
+
 /// The twelve triangles, two to a face in the order of [`FACES`], counter-clockwise seen from outside.
 pub const TRIANGLES: [[u8; 3]; 12] = {
     let mut triangles = [[0; 3]; 12];
@@ -99,7 +104,7 @@ impl Mesh {
     /// A point (u, v) of a face, -1 to 1 along its edges: its place, and its unit normal between those at the corners.
     pub fn on_face(&self, face: usize, normals: &[DVec3; 4], [u, v]: [f64; 2]) -> (DVec3, DVec3) {
         let corners = FACES[face].map(|corner| self.corners[usize::from(corner)]);
-        let axes = [(face / 2 + 1) % 3, (face / 2 + 2) % 3];
+        let axes = axes_along(face);
         let mut place = corners[0];
         for (axis, share) in axes.into_iter().zip([u, v]) {
             place[axis] = self.corners[7][axis] * share;
@@ -114,7 +119,7 @@ impl Mesh {
 
     /// The corners of a cell of a face's grid, by the points' numbers along the face's axes, in the order of [`FACES`].
     pub fn cell(face: usize, [i, j]: [usize; 2]) -> [[usize; 2]; 4] {
-        let axes = [(face / 2 + 1) % 3, (face / 2 + 2) % 3];
+        let axes = axes_along(face);
         FACES[face].map(|corner| {
             let [right, up] = axes.map(|axis| usize::from(corner >> axis & 1));
             [i + right, j + up]

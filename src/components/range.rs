@@ -6,6 +6,8 @@ use glam::DVec3;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
+use super::surface::Segments;
+
 /// Levels of the display.
 pub type DisplayLevel = Within<{ 0.0_f64.to_bits() }, { 255.0_f64.to_bits() }>;
 /// World units.
@@ -38,7 +40,10 @@ pub fn of_key(key: &str) -> RangeInclusive<f64> {
         "size" | "height" | "near" => Length::RANGE,
         "position" | "target" | "up" => Coordinate::RANGE,
         "rotation" => Angle::RANGE,
-        "segments" => 1.0..=256.0,
+        "segments" => {
+            let (least, most) = Segments::RANGE.into_inner();
+            least.into()..=most.into()
+        }
         "shininess" => Shininess::RANGE,
         "fov" => FieldOfView::RANGE,
         "azimuth" | "elevation" => OrbitAngle::RANGE,

@@ -102,6 +102,19 @@ impl Segments {
     pub fn count(self) -> usize {
         self.0 as usize
     }
+
+    /// The number of a face's grid points.
+    pub fn points(self) -> usize {
+        (self.count() + 1).pow(2)
+    }
+
+    /// The grid points of a face, row by row: their numbers along its axes, from 0, and (u, v), -1 to 1.
+    pub fn grid(self) -> impl Iterator<Item = ([usize; 2], [f64; 2])> {
+        let count = self.count();
+        let at = move |index: usize| 2.0 * index as f64 / count as f64 - 1.0;
+        let rows = (0..=count).flat_map(move |j| (0..=count).map(move |i| [i, j]));
+        rows.map(move |point| (point, point.map(at)))
+    }
 }
 
 impl Default for Segments {

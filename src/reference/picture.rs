@@ -292,18 +292,13 @@ impl<R: Real> ReferenceCuboid<R> {
             let weights = self.solid.shortcut_weights(corners, weights);
             return self.surface.unit_vectors(face, corners, weights, open);
         }
+        let mut share = place.share;
         if !self.surface.is_perspective_correct() {
+            // The weights on the screen give the point of the face. Its cell is that of the point.
             weights = self.solid.weights_on_screen(corners, weights);
+            let shares = corners.map(|corner| self.solid.corner_share(corner));
+            share = blend(shares, weights);
         }
-        // Without perspective the weights on the screen give the point of the face. Its cell is that of the point.
-        let share = if self.surface.is_perspective_correct() {
-            place.share
-        } else {
-            blend(
-                corners.map(|corner| self.solid.corner_share(corner)),
-                weights,
-            )
-        };
         if self.mode == ShadingMode::Gouraud {
             return self.gouraud(face, corners, weights, share, open);
         }

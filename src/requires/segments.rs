@@ -53,18 +53,17 @@ impl FewestSegments {
 }
 
 /// The picture under exact Phong, and with Gouraud for one cuboid.
-struct Pair<R> {
-    /// One less than the number of segments.
-    index: usize,
-    phong: Reference<R>,
+struct Pair<'a, R> {
+    segments: Segments,
+    phong: &'a Reference<R>,
     gouraud: Reference<R>,
 }
 
-impl<R: Real> Pair<R> {
+impl<R: Real> Pair<'_, R> {
     /// The bounds of the error of a pixel.
     fn error(&self, pixel: [usize; 2]) -> [f64; 2] {
         let shown = |picture: &Reference<R>| -> Vec<FaceLevels> { shown(&picture.at(pixel)) };
-        error(&shown(&self.phong), &shown(&self.gouraud), true)
+        error(&shown(self.phong), &shown(&self.gouraud), true)
     }
 }
 
@@ -75,6 +74,9 @@ struct Search<'a> {
     view: View,
     /// The columns and rows in which it may be visible.
     bounds: [Range<usize>; 2],
+    /// Exact Phong of all cuboids.
+    floats: &'a Reference<f64>,
+    enclosures: &'a Reference<Interval>,
     monitor: Monitor<'a>,
 }
 
@@ -82,20 +84,21 @@ struct Search<'a> {
 type WorstOfRow = ([f64; 2], [usize; 2]);
 
 impl Search<'_> {
-    fn pair<R: Real>(&self, segments: Segments) -> Pair<R> {
-        let mut view = self.view;
-        view.segments = Some(segments);
-        let picture = |view: &View| Reference::new(&self.scene.world, view);
+    fn pair<'a, R: Real>(&self, phong: &'a Reference<R>, segments: Segments) -> Pair<'a, R> {
+        let view = View {
+            segments: Some(segments),
+            ..self.view
+        };
         Pair {
-            index: segments.count() - 1,
-            phong: picture(&view.shaded(ShadingMode::Phong)),
-            gouraud: picture(&view),
+            segments,
+            phong,
+            gouraud: Reference::new(&self.scene.world, &view),
         }
     }
 
     fn by_row<R: Real>(&self, pair: &Pair<R>) -> anyhow::Result<Vec<WorstOfRow>> {
         let [columns, rows] = self.bounds.clone();
-        let done = [pair.index, Segments::RANGE.count()].map(|it| it * rows.len());
+        let done = [pair.segments.count() - 1, Segments::RANGE.count()].map(|it| it * rows.len());
         let step = "counting segments";
         self.monitor.in_parallel(step, rows, done, |y| {
             let mut worst = ([0.0; 2], [0, y]);
@@ -128,7 +131,8 @@ impl Search<'_> {
         let mut undecided = 0;
         for segments in Segments::RANGE.filter_map(Segments::new) {
             self.monitor.check()?;
-            let (floats, enclosures) = (self.pair::<f64>(segments), self.pair(segments));
+            let floats = self.pair(self.floats, segments);
+            let enclosures = self.pair(self.enclosures, segments);
             let is_refuted = |pixel: &[usize; 2]| {
                 floats.error(*pixel)[1] > limit && enclosures.error(*pixel)[0] > limit
             };
@@ -151,7 +155,8 @@ impl Search<'_> {
             undecided += 1;
         }
         let most = Segments::new(*Segments::RANGE.end()).unwrap_or_default();
-        Ok((None, self.proof(&self.pair(most), limit)?.0, undecided))
+        let pair = self.pair(self.enclosures, most);
+        Ok((None, self.proof(&pair, limit)?.0, undecided))
     }
 }
 
@@ -175,14 +180,21 @@ pub fn fewest_segments(
     for cuboid in &mut record.cuboid {
         cuboid.shading = ShadingMode::Phong;
     }
-    let bounds = Reference::<Interval>::new(&scene.world, view).bounds();
+    let view = view.unshaded();
+    let phong = view.shaded(ShadingMode::Phong);
+    let (floats, enclosures) = (
+        &Reference::new(&scene.world, &phong),
+        &Reference::new(&scene.world, &phong),
+    );
     let fewest = |(number, bounds): (usize, _)| {
         let mut record = record.clone();
         record.cuboid[number].shading = ShadingMode::Gouraud;
         let search = Search {
             scene: Scene::spawn(scene.name.clone(), &record),
-            view: view.unshaded(),
+            view,
             bounds,
+            floats,
+            enclosures,
             monitor,
         };
         let (segments, largest_error, undecided) = search.fewest(limit(view.tolerance))?;
@@ -193,5 +205,10 @@ pub fn fewest_segments(
             undecided,
         })
     };
-    bounds.into_iter().enumerate().map(fewest).collect()
+    enclosures
+        .bounds()
+        .into_iter()
+        .enumerate()
+        .map(fewest)
+        .collect()
 }

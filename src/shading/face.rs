@@ -16,7 +16,9 @@
 use glam::DVec3;
 
 use super::affine::Affine;
-use crate::components::{FACES, Lens, Polygon, Projection, WorldTransform, length, outward_sign};
+use crate::components::{
+    FACES, Lens, Polygon, Projection, WorldTransform, axes_along, length, outward_sign,
+};
 
 /// The lines of sight of a frame, anchored at the picture's middle.
 #[derive(Clone, Copy, Debug, Default)]
@@ -115,7 +117,7 @@ impl<'a> Face<'a> {
     /// The face of a cuboid in this plane. `half` are half the cuboid's edges, in world units.
     pub fn new(plane: &Plane, transform: &WorldTransform, half: DVec3, rays: &'a Rays) -> Self {
         let axis = plane.face / 2;
-        let along = [(axis + 1) % 3, (axis + 2) % 3];
+        let along = axes_along(plane.face);
         let centre = transform.position - rays.lens.eye;
         let face = Face {
             rays,

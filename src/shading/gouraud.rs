@@ -359,27 +359,18 @@ struct Cells<S: Simd> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::running::Rounded;
+    use super::super::running::{Rounded, at_corner, w_at_corner};
     use super::*;
 
     #[test]
     fn the_count_of_roundings_covers_what_a_running_error_analysis_finds() {
-        // At a corner, where x = y = 1.
-        let at = |terms: [f64; 3]| {
-            let [middle, right, down] = terms.map(Rounded::stored);
-            // The position is a product with the stored inverse of the half extent.
-            let end = Rounded::stored(1.0) * Rounded::exact(1.0);
-            end * right + (middle + down * end)
-        };
         let mut most = 0.0_f64;
         for step in 0..=1000 {
             let part = |factor: f64| (f64::from(step) * factor).sin();
-            // w falls to half of its value at the middle; colours fall with it, or not.
-            let slope = 0.249 * (1.0 + part(0.3)) / 2.0;
-            let w = at([1.0, slope - 0.498, -slope]);
+            let w = w_at_corner(step);
             let [color, right, down] = [part(0.7), part(1.1), part(1.7)];
             let largest = color.abs() + right.abs() + down.abs();
-            let level = at([color, right, down]) * (Rounded::exact(1.0) / w);
+            let level = at_corner([color, right, down]) * (Rounded::exact(1.0) / w);
             // Over the smallest w.
             let wrong_side = 2.0 * 12.0 * largest;
             let error = level.error + 2.0 * level.value.abs() + wrong_side;

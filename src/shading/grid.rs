@@ -40,10 +40,10 @@ const KEPT: usize = 100_000;
 impl Grids {
     /// The number of points of a cuboid's visible faces, which are three at most. One segment needs no grid.
     pub fn points(segments: Segments) -> usize {
-        match segments.count() {
-            1 => 0,
-            count => 3 * (count + 1).pow(2),
+        if segments.count() == 1 {
+            return 0;
         }
+        3 * segments.points()
     }
 
     /// Removes all grids, and allocates memory for this number of points beside a picture of `size`.
@@ -65,11 +65,8 @@ impl Grids {
     /// Adds the grid of a face, with the levels at its points (u, v). Returns its index. There must be memory for it.
     pub fn add(&mut self, segments: Segments, levels: impl Fn([f64; 2]) -> DVec3) -> u32 {
         let (start, count) = (self.levels.len(), segments.count());
-        let at = |index: usize| 2.0 * index as f64 / count as f64 - 1.0;
-        for j in 0..=count {
-            self.levels
-                .extend((0..=count).map(|i| levels([at(i), at(j)])));
-        }
+        self.levels
+            .extend(segments.grid().map(|(_, uv)| levels(uv)));
         let points = &self.levels[start..];
         let largest = |change: DVec3| change.abs().max_element();
         let steepest = |[a, b]: [&[DVec3]; 2]| {
@@ -153,14 +150,9 @@ impl Grid<'_> {
         place.map(|place| (place.max(0.0) as usize).min(self.segments - 1))
     }
 
-    /// The place of the grid at a point (u, v).
-    pub fn place(&self, uv: [f64; 2]) -> [f64; 2] {
-        uv.map(|u| (u + 1.0) * 0.5 * self.segments as f64)
-    }
-
     /// The levels at a point (u, v), or at the nearest point of the face.
     pub fn at(&self, uv: [f64; 2]) -> DVec3 {
-        let place = self.place(uv);
+        let place = uv.map(|u| (u + 1.0) * 0.5 * self.segments as f64);
         let cell = self.cell(place);
         let [s, t] = two!(|axis| (place[axis] - cell[axis] as f64).clamp(0.0, 1.0));
         let start = cell[1] * (self.segments + 1) + cell[0];
@@ -286,7 +278,7 @@ impl Grid<'_> {
 mod tests {
     use std::array::from_fn;
 
-    use super::super::running::Rounded;
+    use super::super::running::{Rounded, at_corner, w_at_corner};
     use super::*;
     use crate::simd::token;
 
@@ -385,21 +377,13 @@ mod tests {
 
     #[test]
     fn the_count_of_roundings_of_a_place_covers_what_a_running_error_analysis_finds() {
-        let at = |terms: [f64; 3]| {
-            let [middle, right, down] = terms.map(Rounded::stored);
-            // The position is a product with the stored inverse of the half extent.
-            let end = Rounded::stored(1.0) * Rounded::exact(1.0);
-            end * right + (middle + down * end)
-        };
         let mut most = 0.0_f64;
         for step in 0..=1000 {
             let part = |factor: f64| (f64::from(step) * factor).sin();
-            // w falls to half of its value at the middle.
-            let slope = 0.249 * (1.0 + part(0.3)) / 2.0;
-            let w = at([1.0, slope - 0.498, -slope]);
+            let w = w_at_corner(step);
             let [place, right, down] = [part(0.7), part(1.1), part(1.7)];
             let largest = place.abs() + right.abs() + down.abs();
-            let place = at([place, right, down]) * (Rounded::exact(1.0) / w);
+            let place = at_corner([place, right, down]) * (Rounded::exact(1.0) / w);
             most = most.max(place.error * U / (PLACE_ERROR * largest));
         }
         assert!(most <= 1.0, "the count is {most} times too small");

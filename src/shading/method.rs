@@ -39,9 +39,10 @@ impl Method {
 
     /// `view` as this method draws it.
     pub fn view(&self, view: &View) -> View {
-        let mut view = view.shaded(self.mode).with_tolerance(self.tolerance);
-        view.segments = self.segments;
-        view
+        View {
+            segments: self.segments,
+            ..view.shaded(self.mode).with_tolerance(self.tolerance)
+        }
     }
 }
 

@@ -92,3 +92,17 @@ pub fn lengths(vector: &Vector) -> [f64; 2] {
         length(|component| component.error),
     ]
 }
+
+/// At a corner of a square, where x = y = 1, an affine number with these terms.
+pub fn at_corner(terms: [f64; 3]) -> Rounded {
+    let [middle, right, down] = terms.map(Rounded::stored);
+    // The position is a product with the stored inverse of the half extent.
+    let end = Rounded::stored(1.0) * Rounded::exact(1.0);
+    end * right + (middle + down * end)
+}
+
+/// There w, which falls to half of its value at the middle in each of a thousand steps.
+pub fn w_at_corner(step: u32) -> Rounded {
+    let slope = 0.249 * (1.0 + (f64::from(step) * 0.3).sin()) / 2.0;
+    at_corner([1.0, slope - 0.498, -slope])
+}

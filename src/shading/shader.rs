@@ -71,7 +71,8 @@ impl Shader<'_> {
         Some(Pointwise::new(simd, square, levels))
     }
 
-    /// The rows of a square that is covered all over and lies in several cells of a grid, if f32 suffices.
+    /// The rows of a square that is covered all over and lies in several cells of a grid, if f32 suffices. In one function with
+    /// [`Self::rows`] frames without grids take 2 to 6 % more instructions at tolerance 0.
     #[inline(always)]
     pub fn grid_rows<S: Simd>(
         &self,

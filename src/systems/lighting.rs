@@ -70,7 +70,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
                 });
             }
             *colors = VertexColors::Grid(indices);
-            evaluations = seen().count() * (segments.count() + 1).pow(2);
+            evaluations = seen().count() * segments.points();
         } else if let Normals::Corner(normals) = normals {
             let levels = from_fn(|corner| at_corner(corner, normals[corner]));
             *colors = VertexColors::Corner(levels);

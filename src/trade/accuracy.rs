@@ -68,17 +68,11 @@ pub fn errors(
         let difference = compare(drawn, exact);
         let (mut own_error, mut map) = (None, Vec::new());
         if request.is_report {
-            let other = if method.segments.is_some() {
+            let of_grid = |_| {
                 let view = &method.view(view);
-                Some(reference::picture(
-                    &scene.world,
-                    view,
-                    0..view.size[1],
-                    monitor,
-                )?)
-            } else {
-                None
+                reference::picture(&scene.world, view, 0..view.size[1], monitor)
             };
+            let other = method.segments.map(of_grid).transpose()?;
             let own = other.as_ref().unwrap_or_else(|| &truths[&method.mode]);
             own_error = compare(drawn, Picture::from(own)).error;
             map.extend(compared(drawn, exact).map(|it| Scale::WIDEST.color(it)));

@@ -15,7 +15,7 @@ use super::facts::Facts;
 use super::inspector::Tab;
 use super::keys::{Action, EXACT_SIDES, caption, keys};
 use super::widgets::{action_button, color_button, number, offer, slider};
-use crate::components::range::{Milliseconds, Strength};
+use crate::components::range::{self, Milliseconds, Strength};
 use crate::components::{
     Camera, Light, LightKind, Name, Projection, Segments, ShadingMode, Side, ViewMode, Viewer,
     common, names, ordered, overwrite, viewer, viewer_mut,
@@ -91,8 +91,7 @@ fn shading_rows(
     });
     let count = common::<Segments>(world).map_or(1.0, |it| it.count() as f64);
     let mut changed = count;
-    let most = f64::from(*Segments::RANGE.end());
-    slider(ui, SEGMENTS, &mut changed, 1.0..=most, 1.0);
+    slider(ui, SEGMENTS, &mut changed, range::of_key("segments"), 1.0);
     if changed != count
         && let Some(segments) = Segments::new(changed.round() as u32)
     {

@@ -14,7 +14,7 @@ use super::document::is_another_scene;
 use super::facts::{Facts, Latest, Question, Work};
 use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
-use crate::components::{Side, View, ViewMode};
+use crate::components::{Side, View, ViewMode, alike};
 use crate::drawing::Drawing;
 use crate::frame::Workers;
 use crate::probe;
@@ -297,9 +297,8 @@ fn wanted_methods(subject: &Subject) -> Vec<Method> {
     let sides = sides(&subject.record.view).into_iter();
     let sides = sides.filter_map(|side| side_method(&side, subject.method));
     // The frames of the other one take so long that they would delay a key.
-    let mut segments = subject.record.cuboid.iter().map(|it| it.segments);
-    let own = segments.next().filter(|own| segments.all(|it| it == *own));
-    let timed = methods(own).filter(|it| is_timed(*it));
+    let own = subject.record.cuboid.iter().map(|it| it.segments);
+    let timed = methods(alike(own)).filter(|it| is_timed(*it));
     let mut methods: Vec<Method> = timed.collect();
     for method in subject.method.into_iter().chain(sides) {
         if !methods.contains(&method) {
