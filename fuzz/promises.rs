@@ -5,7 +5,7 @@ use hecs::World;
 use shadetrade::components::{ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::prove;
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::systems;
 
 /// Proves the picture of `view` in both modes, at its tolerance and exactly.
@@ -16,7 +16,7 @@ pub fn check(world: &mut World, view: &View) {
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
         for tolerance in [view.tolerance, 0.0] {
             let view = view.shaded(mode).with_tolerance(tolerance);
-            let proof = prove(world, &view, None, Level::new(), Monitor::NONE);
+            let proof = finished(prove(world, &view, None, Level::new(), Monitor::NONE));
             let proof = proof.expect("a small picture fits");
             assert_eq!(proof.refuted, 0, "{view:?}\n{:?}", proof.examples);
         }

@@ -19,8 +19,8 @@ use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, Output, print};
 use crate::prove::{Example, Proof, Verdict, prove_at};
-use crate::report::Monitor;
 use crate::report::progress::with_bar;
+use crate::report::{Monitor, finished};
 use crate::scene::{EXTREMES, Scene};
 use crate::shading::limit;
 use crate::systems;
@@ -148,7 +148,7 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
 /// If one of them fails, or the result cannot be printed.
 pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<()> {
     let outcomes = if as_json {
-        let outcomes = with_bar(|monitor| {
+        let outcomes = with_bar(async |monitor| {
             let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
                 (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
                 extreme.outcome(level)
@@ -253,7 +253,14 @@ impl Extreme {
             for view in self.views(&mut scene.world) {
                 let world = &mut scene.world;
                 // No monitor: the progress of one picture among many is not shown.
-                let proofs = prove_at(TOLERANCES, world, &view, None, level, Monitor::NONE)?;
+                let proofs = finished(prove_at(
+                    TOLERANCES,
+                    world,
+                    &view,
+                    None,
+                    level,
+                    Monitor::NONE,
+                ))?;
                 for (index, (proof, tolerance)) in proofs.iter().zip(TOLERANCES).enumerate() {
                     let view = view.with_tolerance(tolerance);
                     let checked = self.check(proof, world, &view, level);

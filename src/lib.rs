@@ -120,21 +120,21 @@
 //! # use shadetrade::components::{ShadingMode, View};
 //! # use shadetrade::frame::{Frame, Keep, Workers};
 //! # use shadetrade::{scene::Scene, systems};
-//! use shadetrade::{reference, report::Monitor};
+//! use shadetrade::{reference, report::{Monitor, finished}};
 //! use shadetrade::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View::of(&scene.world, [320, 240]).shaded(ShadingMode::Phong);
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
 //! # systems::draw(&mut scene.world, &view, &mut frame)?;
 //! // `view` as above: Phong within half a level; `frame` keeps its levels.
-//! let truth = reference::picture(&scene.world, &view, 0..240, Monitor::NONE)?;
+//! let truth = finished(reference::picture(&scene.world, &view, 0..240, Monitor::NONE))?;
 //! let error = compare(Picture::from(&frame), Picture::from(&truth)).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
 //! # use shadetrade::prove::prove;
 //!
 //! // The same, proven: an interval encloses each exact level, and the drawn level is within half a level of all of it.
 //! let level = fearless_simd::Level::new();
-//! let proof = prove(&mut scene.world, &view, None, level, Monitor::NONE)?;
+//! let proof = finished(prove(&mut scene.world, &view, None, level, Monitor::NONE))?;
 //! assert_eq!(proof.proven, 320 * 240);
 //! # Ok::<(), anyhow::Error>(())
 //! ```

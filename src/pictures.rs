@@ -16,6 +16,7 @@ use crate::memory;
 use crate::output::{Output, say};
 use crate::report::progress::{bands, with_bar};
 use crate::report::words::counted;
+use crate::report::{Monitor, finished};
 use crate::trade::batch::time_here;
 use crate::trade::budget;
 use crate::trade::timing::{self, Timing};
@@ -41,7 +42,10 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut draw = |_| systems::draw(world, &view, &mut frame).map_err(anyhow::Error::from);
     let timing = match chosen {
         Some((one, _)) => draw(0).map(|()| one.timing),
-        None => timing::batch(0, 1, Duration::ZERO, draw).map(|times| Timing::of(&times)),
+        None => {
+            let times = timing::batch(0, 1, Duration::ZERO, Monitor::NONE, draw);
+            finished(times).map(|times| Timing::of(&times))
+        }
     }?;
     output.write_png(frame.pixels(), frame.size())?;
     let [width, height] = frame.size();
@@ -69,9 +73,9 @@ pub fn render_reference(drawing: &mut Drawing, output: &Output) -> anyhow::Resul
     let (mut pixels, mut covered) = (memory::reserve_pixels(view.size)?, 0);
     let begin = Instant::now();
     let world = &drawing.scene.world;
-    with_bar(|monitor| {
+    with_bar(async |monitor| {
         for rows in bands(height) {
-            let truth = reference::picture(world, &view, rows, monitor)?;
+            let truth = reference::picture(world, &view, rows, monitor).await?;
             let covered_here = truth.triangles.iter().filter(|it| **it != TriangleId::NONE);
             covered += covered_here.count();
             pixels.extend(truth.levels.into_iter().map(display_pixel));

@@ -288,14 +288,14 @@ impl Proof {
 ///
 /// # Errors
 /// If the picture does not fit in memory, or the work is cancelled.
-pub fn prove(
+pub async fn prove(
     world: &mut World,
     view: &View,
     picture: Option<&[u32]>,
     level: Level,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Proof> {
-    let [proof] = prove_at([view.tolerance], world, view, picture, level, monitor)?;
+    let [proof] = prove_at([view.tolerance], world, view, picture, level, monitor).await?;
     Ok(proof)
 }
 
@@ -303,13 +303,13 @@ pub fn prove(
 ///
 /// # Errors
 /// If the picture does not fit in memory, or the work is cancelled.
-pub fn prove_at<const COUNT: usize>(
+pub async fn prove_at<const COUNT: usize>(
     tolerances: [f64; COUNT],
     world: &mut World,
     view: &View,
     picture: Option<&[u32]>,
     level: Level,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<[Proof; COUNT]> {
     let [width, height] = view.size;
     // Levels and bytes.
@@ -358,7 +358,8 @@ pub fn prove_at<const COUNT: usize>(
             Ok(proofs)
         };
         let done = [rows.start, height];
-        for row in monitor.in_parallel("proving", rows.clone(), done, prove_row)? {
+        let found = monitor.in_parallel("proving", rows.clone(), done, prove_row);
+        for row in found.await? {
             for (proof, row) in proofs.iter_mut().zip(row) {
                 proof.append(row);
             }

@@ -5,4 +5,4 @@ pub mod progress;
 pub mod tables;
 pub mod words;
 
-pub use progress::{CANCELLED, Monitor};
+pub use progress::{CANCELLED, Monitor, finished};

@@ -166,11 +166,11 @@ impl Change {
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn changes(
+pub async fn changes(
     scene: &Scene,
     view: &View,
     left_out: &[Vec<Part>],
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<Change>> {
     let view = &view.unshaded();
     let full = rows(Reference::<Interval>::new(&scene.world, view));
@@ -194,7 +194,7 @@ pub fn changes(
             }
         };
         let pictures: Vec<(RowSurfaces, bool)> = some.iter().map(picture).collect();
-        let by_row = monitor.in_parallel("leaving out parts", 0..height, [first, all], |y| {
+        let row = |y| {
             let full = full(y);
             let change = |(picture, is_enclosed): &(RowSurfaces, bool)| {
                 let pixels = full.iter().zip(picture(y));
@@ -208,7 +208,10 @@ pub fn changes(
                 }))
             };
             Ok(pictures.iter().map(change).collect::<Vec<Change>>())
-        })?;
+        };
+        let step = "leaving out parts";
+        let by_row = monitor.in_parallel(step, 0..height, [first, all], row);
+        let by_row = by_row.await?;
         let of_picture = |number: usize| Change::combined(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
     }
@@ -232,14 +235,14 @@ pub struct PartChange {
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn part_changes(
+pub async fn part_changes(
     scene: &Scene,
     view: &View,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<PartChange>> {
     let parts = parts(scene);
     let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = changes(scene, view, &left_out, monitor)?;
+    let changes = changes(scene, view, &left_out, monitor).await?;
     let part_change = |((part, name), change): (_, Change)| PartChange {
         part,
         name,
@@ -260,11 +263,11 @@ pub fn ranked(mut parts: Vec<PartChange>) -> Vec<PartChange> {
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn least(
+pub async fn least(
     scene: &Scene,
     view: &View,
     candidates: &[Part],
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<(Vec<Part>, Change)> {
     let (mut left_out, mut change) = (Vec::new(), Change::default());
     for part in candidates {
@@ -272,7 +275,7 @@ pub fn least(
         if ordered::<Mesh>(&without(scene, &tried).world).is_empty() {
             continue;
         }
-        let without_it = changes(scene, view, std::slice::from_ref(&tried), monitor)?[0];
+        let without_it = changes(scene, view, std::slice::from_ref(&tried), monitor).await?[0];
         if without_it.keeps(view.tolerance) {
             (left_out, change) = (tried, without_it);
         }

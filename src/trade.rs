@@ -46,28 +46,28 @@ use crate::shading::Method;
 /// The files of a report, besides error maps.
 pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
 
-/// Times the batch with this number.
-pub type TimeBatch = fn(&Request, usize, Monitor) -> anyhow::Result<Batch>;
-
 /// Measures the methods of `request`. Errors that are `known` from the same view are not computed again, and of two timings
-/// the one with more samples stays.
+/// the one with more samples stays. `time_batch` times the batch with this number.
 ///
 /// # Errors
 /// If memory or threads do not suffice, or the work is cancelled.
-pub fn measure(
+pub async fn measure(
     request: &Request,
     known: &[Measurement],
-    time_batch: TimeBatch,
-    monitor: Monitor,
+    time_batch: impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<Measurement>> {
     let of_method = |method: &Method| known.iter().find(|it| it.method == *method);
     let mut unknown = request.methods.clone();
     unknown.retain(|it| of_method(it).is_none());
-    let mut errors = accuracy::errors(request, &unknown, monitor)?.into_iter();
+    let mut errors = accuracy::errors(request, &unknown, monitor)
+        .await?
+        .into_iter();
     let timings = timing::of_batches(
-        |number| time_batch(request, number, monitor),
+        async |number| time_batch(request, number, monitor).await,
         |share| (monitor.progress)("timing frames", share),
-    )?;
+    )
+    .await?;
     let methods = request.methods.iter();
     let measured = methods.filter_map(|it| of_method(it).cloned().or_else(|| errors.next()));
     let mut measured: Vec<Measurement> = measured.collect();
@@ -122,13 +122,13 @@ pub fn front<'a>(methods: impl IntoIterator<Item = &'a Measurement>) -> Vec<&'a 
 ///
 /// # Errors
 /// As [`measure()`].
-pub fn measure_report(
+pub async fn measure_report(
     request: &Request,
-    time_batch: TimeBatch,
-    monitor: Monitor,
+    time_batch: impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Report> {
     let drawing = &request.drawing;
-    let methods = measure(request, &[], time_batch, monitor)?;
+    let methods = measure(request, &[], time_batch, monitor).await?;
     let words = std::env::args_os().skip(1);
     let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
     Ok(Report {
@@ -151,7 +151,8 @@ pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         output::make_folder(folder)?;
     }
-    let report = with_bar(|monitor| measure_report(request, batch::time_in_a_process, monitor))?;
+    let report =
+        with_bar(async |monitor| measure_report(request, batch::time_in_a_process, monitor).await)?;
     Output::Stdout.write(export::table(&report))?;
     request.drawing.say_if_unseen(report.covered_pixels);
     if let Some(folder) = out {

@@ -48,6 +48,7 @@ use egui::{Event, RawInput};
 use crate::drawing::Drawing;
 use app::App;
 use display::Display;
+use study::Background;
 
 pub use display::{NoDisplay, restart_in_fit_environment};
 
@@ -69,7 +70,7 @@ const PRESENT_SHARE: u32 = 200;
 /// suffice, or changes that were not saved cannot be written.
 pub fn run(drawing: Drawing) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
-    let mut app = App::new(drawing, true)?;
+    let mut app = App::new(drawing, Background::Threads)?;
     let start = Instant::now();
     app.document.keep_edits(unsaved::user_folders());
     let (mut title, mut window) = (String::new(), [0, 0]);

@@ -34,17 +34,18 @@ pub const SIZE: [usize; 2] = [128, 96];
 ///
 /// # Errors
 /// If a value makes no valid scene, or a picture does not fit in memory.
-pub fn measure(
+pub async fn measure(
     size: [usize; 2],
     level: Level,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<ErrorCurve>> {
     let all = SWEEPS.iter().map(|sweep| sweep.values().len()).sum();
     let (mut curves, mut done) = (Vec::new(), 0);
     for sweep in SWEEPS {
         let values = sweep.values();
         let errors = |value: &f64| Ok((*value, errors(&sweep.scene(*value)?, size, level)?));
-        let errors = monitor.in_parallel("sweeping numbers", &values, [done, all], errors)?;
+        let errors = monitor.in_parallel("sweeping numbers", &values, [done, all], errors);
+        let errors = errors.await?;
         let evaluations = 0..EVALUATIONS.len();
         curves.extend(evaluations.map(|evaluation| ErrorCurve::new(sweep, evaluation, &errors)));
         done += values.len();
@@ -103,7 +104,7 @@ pub fn run(level: Level, out: Option<&Path>, as_json: bool) -> anyhow::Result<()
     if let Some(folder) = out {
         output::make_folder(folder)?;
     }
-    let curves = with_bar(|monitor| measure(SIZE, level, monitor))?;
+    let curves = with_bar(async |monitor| measure(SIZE, level, monitor).await)?;
     print(&curves, as_json, None, || table(&curves))?;
     if let Some(folder) = out {
         let files = [

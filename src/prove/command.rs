@@ -40,7 +40,8 @@ pub fn run(
     let view = drawing.view();
     let begin = Instant::now();
     let (world, level) = (&mut drawing.scene.world, drawing.level);
-    let proof = with_bar(|monitor| prove(world, &view, pixels.as_deref(), level, monitor))?;
+    let proof =
+        with_bar(async |monitor| prove(world, &view, pixels.as_deref(), level, monitor).await)?;
     if let Some(output) = map {
         let mut frame = Frame::new(Keep::Display, drawing.workers()?);
         if pixels.is_none() {

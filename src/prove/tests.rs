@@ -3,6 +3,7 @@
 use super::Verdict::{Gap, Refuted, Undecided};
 use super::*;
 use crate::components::{Projection, ShadingMode};
+use crate::report::finished;
 use crate::scene::Scene;
 
 #[test]
@@ -43,6 +44,7 @@ fn a_tied_gate_of_the_shortcut_may_be_open() {
         ..View::of(&world, [11, 11]).shaded(ShadingMode::UnitVectors)
     };
     let (level, monitor) = (Level::new(), Monitor::NONE);
-    let proof = prove(&mut world, &view, None, level, monitor).expect("a small picture fits");
+    let proof =
+        finished(prove(&mut world, &view, None, level, monitor)).expect("a small picture fits");
     assert_eq!(proof.proven, 121, "{:?}", proof.examples);
 }

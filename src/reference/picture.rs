@@ -313,11 +313,11 @@ impl<R: Real> ReferenceCuboid<R> {
 ///
 /// # Errors
 /// If the work is cancelled, or the picture does not fit in memory.
-pub fn picture(
+pub async fn picture(
     world: &World,
     view: &View,
     rows: Range<usize>,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Truth> {
     let reference = Reference::<f64>::new(world, view);
     let ([width, height], above) = (view.size, rows.start);
@@ -337,7 +337,9 @@ pub fn picture(
         });
         Ok(())
     };
-    monitor.in_parallel("drawing the reference", rows, [above, height], draw)?;
+    monitor
+        .in_parallel("drawing the reference", rows, [above, height], draw)
+        .await?;
     Ok(Truth {
         width,
         levels,

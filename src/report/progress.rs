@@ -1,8 +1,21 @@
-//! The progress of long work, and the bar on standard error that shows it.
+//! Long work: its progress, the bar on standard error that shows it, and its pauses.
+//!
+//! Long work is an `async` function, so that one loop serves two callers. A thread calls [`finished`] and is blocked until the
+//! end. A page in a browser has no threads: it polls the work, which returns after the row or the frame during which
+//! [`Monitor::is_due`] became true, and goes on there when it is polled again.
+//!
+//! ```text
+//! thread    |row row row row row row row|
+//! page      |row row|window|row row|window|row row|
+//! ```
 
 use std::fmt::Write;
+use std::future::poll_fn;
+use std::mem;
 use std::ops::Range;
+use std::pin::pin;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::task::{Context as TaskContext, Poll, Waker};
 
 use anyhow::{Context, ensure};
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
@@ -18,6 +31,8 @@ pub struct Monitor<'a> {
     pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
     /// Receives the present step and its finished share, 0..=1, from any thread.
     pub progress: &'a (dyn Fn(&'static str, f64) + Sync),
+    /// Returns true once the caller wants to do something else. `None` if it waits; then rows are distributed over threads.
+    pub is_due: Option<&'a (dyn Fn() -> bool + Sync)>,
 }
 
 impl Monitor<'_> {
@@ -25,6 +40,7 @@ impl Monitor<'_> {
     pub const NONE: Monitor<'static> = Monitor {
         is_cancelled: &|| false,
         progress: &|_, _| (),
+        is_due: None,
     };
 
     /// # Errors
@@ -34,13 +50,27 @@ impl Monitor<'_> {
         Ok(())
     }
 
-    /// Does `work` for each item on rayon's current threads. Returns the results in order.
+    /// Pauses if the caller wants to do something else. Returns whether it did.
+    pub async fn rest(&self) -> bool {
+        let is_due = self.is_due.is_some_and(|is_due| is_due());
+        if is_due {
+            let mut has_paused = false;
+            poll_fn(|_| match mem::replace(&mut has_paused, true) {
+                true => Poll::Ready(()),
+                false => Poll::Pending,
+            })
+            .await;
+        }
+        is_due
+    }
+
+    /// Does `work` for each item, on rayon's current threads or with pauses between items. Returns the results in order.
     ///
     /// `done` of `all` items of the step are finished before.
     ///
     /// # Errors
     /// An error of `work`, or that the work is cancelled.
-    pub fn in_parallel<T: Send, I: IntoParallelIterator>(
+    pub async fn in_parallel<T: Send, I: IntoParallelIterator>(
         &self,
         step: &'static str,
         items: I,
@@ -58,7 +88,28 @@ impl Monitor<'_> {
             (self.progress)(step, done as f64 / all as f64);
             Ok(found)
         };
-        items.into_par_iter().map(one).collect()
+        let items = items.into_par_iter();
+        if self.is_due.is_none() {
+            return items.map(one).collect();
+        }
+        let items: Vec<I::Item> = items.collect();
+        let mut found = Vec::with_capacity(items.len());
+        for item in items {
+            found.push(one(item)?);
+            self.rest().await;
+        }
+        Ok(found)
+    }
+}
+
+/// The result of work whose caller waits for it.
+///
+/// # Panics
+/// If the work pauses although its monitor has no [`Monitor::is_due`].
+pub fn finished<T>(work: impl Future<Output = T>) -> T {
+    match pin!(work).poll(&mut TaskContext::from_waker(Waker::noop())) {
+        Poll::Ready(result) => result,
+        Poll::Pending => unreachable!("only work that is asked to pause does"),
     }
 }
 
@@ -73,7 +124,7 @@ pub fn bands(height: usize) -> impl Iterator<Item = Range<usize>> {
 ///
 /// # Errors
 /// Those of `work`.
-pub fn with_bar<T>(work: impl FnOnce(Monitor) -> anyhow::Result<T>) -> anyhow::Result<T> {
+pub fn with_bar<T>(work: impl AsyncFnOnce(Monitor<'_>) -> anyhow::Result<T>) -> anyhow::Result<T> {
     let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
         .context("the template of the progress bar is wrong")?;
     let style = style.with_key("left", |state: &ProgressState, text: &mut dyn Write| {
@@ -93,10 +144,10 @@ pub fn with_bar<T>(work: impl FnOnce(Monitor) -> anyhow::Result<T>) -> anyhow::R
         }
         bar.set_position((1000.0 * share) as u64);
     };
-    let done = work(Monitor {
+    let done = finished(work(Monitor {
         progress: &progress,
         ..Monitor::NONE
-    })?;
+    }))?;
     bar.finish_and_clear();
     Ok(done)
 }

@@ -239,7 +239,11 @@ impl Trial<'_> {
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<StageBits>> {
+pub async fn bits(
+    scene: &Scene,
+    view: &View,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<StageBits>> {
     let view = &view.unshaded();
     let mut record = SceneRecord::of(&scene.world);
     record.light.retain(|light| light.on);
@@ -294,7 +298,8 @@ pub fn bits(scene: &Scene, view: &View, monitor: Monitor) -> anyhow::Result<Vec<
         Ok(errors)
     };
     let height = view.size[1];
-    let by_row = monitor.in_parallel("rounding", 0..height, [0, height], row)?;
+    let by_row = monitor.in_parallel("rounding", 0..height, [0, height], row);
+    let by_row = by_row.await?;
     let of_trial = |trial: usize| by_row.iter().map(|row| row[trial]).fold(0.0, f64::max);
     let errors: Vec<f64> = (0..trials.len()).map(of_trial).collect();
     let limit = limit(view.tolerance);

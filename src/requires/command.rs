@@ -32,9 +32,9 @@ const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its 
 /// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
-    let rows = with_bar(|monitor| part_changes(&drawing.scene, &view, monitor))?;
-    let stages = with_bar(|monitor| bits(&drawing.scene, &view, monitor))?;
-    let segments = with_bar(|monitor| fewest_segments(&drawing.scene, &view, monitor))?;
+    let rows = with_bar(async |monitor| part_changes(&drawing.scene, &view, monitor).await)?;
+    let stages = with_bar(async |monitor| bits(&drawing.scene, &view, monitor).await)?;
+    let segments = with_bar(async |monitor| fewest_segments(&drawing.scene, &view, monitor).await)?;
     let record = json!({
         "scene": drawing.scene.name,
         "tolerance": view.tolerance,
@@ -97,7 +97,8 @@ fn write_least(
     rows.retain(|row| row.part.is_in_file() && !row.required);
     rows.sort_by(|one, other| one.change.most().total_cmp(&other.change.most()));
     let candidates: Vec<Part> = rows.iter().map(|row| row.part).collect();
-    let (left_out, change) = with_bar(|monitor| least(scene, view, &candidates, monitor))?;
+    let (left_out, change) =
+        with_bar(async |monitor| least(scene, view, &candidates, monitor).await)?;
     rows.retain(|row| left_out.contains(&row.part));
     let names: Vec<String> = rows.into_iter().map(|row| row.name).collect();
     let found = if names.is_empty() {

@@ -96,11 +96,11 @@ impl Search<'_> {
         }
     }
 
-    fn by_row<R: Real>(&self, pair: &Pair<R>) -> anyhow::Result<Vec<WorstOfRow>> {
+    async fn by_row<R: Real>(&self, pair: &Pair<'_, R>) -> anyhow::Result<Vec<WorstOfRow>> {
         let [columns, rows] = self.bounds.clone();
         let done = [pair.segments.count() - 1, Segments::RANGE.count()].map(|it| it * rows.len());
         let step = "counting segments";
-        self.monitor.in_parallel(step, rows, done, |y| {
+        let row = |y| {
             let mut worst = ([0.0; 2], [0, y]);
             for x in columns.clone() {
                 let error = pair.error([x, y]);
@@ -110,27 +110,29 @@ impl Search<'_> {
                 worst.0 = [0, 1].map(|end| error[end].max(worst.0[end]));
             }
             Ok(worst)
-        })
+        };
+        self.monitor.in_parallel(step, rows, done, row).await
     }
 
     /// The bounds of the largest error of the picture, and the pixels that intervals do not prove to keep the limit.
-    fn proof(
+    async fn proof(
         &self,
-        pair: &Pair<Interval>,
+        pair: &Pair<'_, Interval>,
         limit: f64,
     ) -> anyhow::Result<([f64; 2], Vec<[usize; 2]>)> {
-        let rows = self.by_row(pair)?;
+        let rows = self.by_row(pair).await?;
         let largest = |end: usize| rows.iter().map(|row| row.0[end]).fold(0.0, f64::max);
         Ok(([largest(0), largest(1)], above(&rows, limit)))
     }
 
     /// The least number that keeps a limit, its error, and how many smaller ones are undecided.
-    fn fewest(&self, limit: f64) -> anyhow::Result<(Option<u32>, [f64; 2], u32)> {
+    async fn fewest(&self, limit: f64) -> anyhow::Result<(Option<u32>, [f64; 2], u32)> {
         // Pixels that refuted fewer segments, and pixels that intervals did not decide.
         let (mut worst, mut doubtful) = (Vec::new(), Vec::new());
         let mut undecided = 0;
         for segments in Segments::RANGE.filter_map(Segments::new) {
             self.monitor.check()?;
+            self.monitor.rest().await;
             let floats = self.pair(self.floats, segments);
             let enclosures = self.pair(self.enclosures, segments);
             let is_refuted = |pixel: &[usize; 2]| {
@@ -139,14 +141,14 @@ impl Search<'_> {
             if worst.iter().rev().any(is_refuted) {
                 continue;
             }
-            let found = above(&self.by_row(&floats)?, limit);
+            let found = above(&self.by_row(&floats).await?, limit);
             worst.extend(&found);
             if found.iter().any(is_refuted) {
                 continue;
             }
             let is_in_doubt = |pixel: &[usize; 2]| enclosures.error(*pixel)[1] > limit;
             if found.is_empty() && !doubtful.iter().any(is_in_doubt) {
-                let (error, pixels) = self.proof(&enclosures, limit)?;
+                let (error, pixels) = self.proof(&enclosures, limit).await?;
                 if pixels.is_empty() {
                     return Ok((Some(segments.into()), error, undecided));
                 }
@@ -156,7 +158,7 @@ impl Search<'_> {
         }
         let most = Segments::new(*Segments::RANGE.end()).unwrap_or_default();
         let pair = self.pair(self.enclosures, most);
-        Ok((None, self.proof(&pair, limit)?.0, undecided))
+        Ok((None, self.proof(&pair, limit).await?.0, undecided))
     }
 }
 
@@ -171,10 +173,10 @@ fn above(rows: &[WorstOfRow], limit: f64) -> Vec<[usize; 2]> {
 ///
 /// # Errors
 /// If the work is cancelled.
-pub fn fewest_segments(
+pub async fn fewest_segments(
     scene: &Scene,
     view: &View,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<FewestSegments>> {
     let mut record = SceneRecord::of(&scene.world);
     for cuboid in &mut record.cuboid {
@@ -186,7 +188,8 @@ pub fn fewest_segments(
         &Reference::new(&scene.world, &phong),
         &Reference::new(&scene.world, &phong),
     );
-    let fewest = |(number, bounds): (usize, _)| {
+    let mut fewest = Vec::new();
+    for (number, bounds) in enclosures.bounds().into_iter().enumerate() {
         let mut record = record.clone();
         record.cuboid[number].shading = ShadingMode::Gouraud;
         let search = Search {
@@ -197,18 +200,13 @@ pub fn fewest_segments(
             enclosures,
             monitor,
         };
-        let (segments, largest_error, undecided) = search.fewest(limit(view.tolerance))?;
-        Ok(FewestSegments {
+        let (segments, largest_error, undecided) = search.fewest(limit(view.tolerance)).await?;
+        fewest.push(FewestSegments {
             cuboid: record.cuboid[number].name.clone(),
             segments,
             largest_error,
             undecided,
-        })
-    };
-    enclosures
-        .bounds()
-        .into_iter()
-        .enumerate()
-        .map(fewest)
-        .collect()
+        });
+    }
+    Ok(fewest)
 }

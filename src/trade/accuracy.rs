@@ -34,10 +34,10 @@ const BYTES_OF_REPORT: usize = 3 * 28 + 4 * METHODS.len();
 ///
 /// # Errors
 /// If the pictures do not fit in memory, or the work is cancelled.
-pub fn errors(
+pub async fn errors(
     request: &Request,
     methods: &[Method],
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<Measurement>> {
     let view = &request.drawing.view();
     if methods.is_empty() {
@@ -48,7 +48,7 @@ pub fn errors(
         .context("the methods cannot be compared")?;
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
     let mut scene = request.drawing.scene.snapshot();
-    let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor)?;
+    let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor).await?;
     let own_modes = methods.iter().filter(|it| it.segments.is_none());
     let own_modes = own_modes.map(|method| method.mode);
     let own_modes = own_modes.filter(|_| request.is_report);
@@ -56,24 +56,26 @@ pub fn errors(
     let mut truths = HashMap::new();
     for mode in modes {
         let view = view.shaded(mode);
-        let truth = reference::picture(&scene.world, &view, 0..view.size[1], monitor)?;
+        let truth = reference::picture(&scene.world, &view, 0..view.size[1], monitor).await?;
         truths.insert(mode, truth);
     }
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
     let mut measured = Vec::new();
     for (method, highlight_kept) in methods.iter().zip(shares_kept) {
         monitor.check()?;
+        monitor.rest().await;
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
         let difference = compare(drawn, exact);
         let (mut own_error, mut map) = (None, Vec::new());
         if request.is_report {
-            let of_grid = |_| {
-                let view = &method.view(view);
-                reference::picture(&scene.world, view, 0..view.size[1], monitor)
+            let rows = 0..view.size[1];
+            let own = match method.segments {
+                None => &truths[&method.mode],
+                Some(_) => {
+                    &reference::picture(&scene.world, &method.view(view), rows, monitor).await?
+                }
             };
-            let other = method.segments.map(of_grid).transpose()?;
-            let own = other.as_ref().unwrap_or_else(|| &truths[&method.mode]);
             own_error = compare(drawn, Picture::from(own)).error;
             map.extend(compared(drawn, exact).map(|it| Scale::WIDEST.color(it)));
         }
@@ -97,12 +99,12 @@ pub fn errors(
 }
 
 /// The share of the highlight that each method keeps.
-fn highlight_kept(
+async fn highlight_kept(
     scene: &Scene,
     view: &View,
     methods: &[Method],
     frame: &mut Frame,
-    monitor: Monitor,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<Option<f64>>> {
     let mut specular = scene.snapshot();
     for light in specular.world.query_mut::<&mut Light>() {
@@ -112,13 +114,15 @@ fn highlight_kept(
         background: DVec3::ZERO,
         ..view.shaded(ShadingMode::Phong)
     };
-    let highlight = reference::picture(&specular.world, &dark, 0..view.size[1], monitor)?;
-    let share = |method: &Method| {
+    let highlight = reference::picture(&specular.world, &dark, 0..view.size[1], monitor).await?;
+    let mut shares = Vec::with_capacity(methods.len());
+    for method in methods {
         monitor.check()?;
+        monitor.rest().await;
         systems::draw(&mut specular.world, &method.view(&dark), frame)?;
-        Ok(share_kept(frame.levels(), &highlight.levels))
-    };
-    methods.iter().map(share).collect()
+        shares.push(share_kept(frame.levels(), &highlight.levels));
+    }
+    Ok(shares)
 }
 
 /// The displayed light that both pictures show at the same pixel and channel, as a share of all that `whole` shows, 0..=1;

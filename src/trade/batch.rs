@@ -20,7 +20,7 @@ use super::timing::{self, Batch};
 use crate::drawing::Drawing;
 use crate::frame::{Frame, Keep};
 use crate::output::Output;
-use crate::report::Monitor;
+use crate::report::{Monitor, finished};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::METHODS;
 use crate::{simd, systems};
@@ -42,23 +42,32 @@ struct BatchRequest {
 ///
 /// # Errors
 /// If memory or threads do not suffice, or the work is cancelled.
-pub fn time_here(request: &Request, number: usize, monitor: Monitor) -> anyhow::Result<Batch> {
+pub async fn time_here(
+    request: &Request,
+    number: usize,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Batch> {
     let view = request.drawing.view();
     let views: Vec<_> = request.methods.iter().map(|it| it.view(&view)).collect();
     let mut frame = Frame::new(Keep::Display, request.drawing.workers()?);
     let mut scene = request.drawing.scene.snapshot();
-    timing::batch(number, views.len(), request.time, |method| {
-        monitor.check()?;
+    let draw = |method: usize| {
         systems::draw(&mut scene.world, &views[method], &mut frame)
             .context("the methods cannot be compared")
-    })
+    };
+    timing::batch(number, views.len(), request.time, monitor, draw).await
 }
 
 /// Runs this program as `trade --batch`, and returns the times that it prints.
 ///
 /// # Errors
 /// If the process cannot be started or cannot measure.
-pub fn time_in_a_process(request: &Request, number: usize, _: Monitor) -> anyhow::Result<Batch> {
+#[expect(clippy::unused_async, reason = "the other way to time a batch pauses")]
+pub async fn time_in_a_process(
+    request: &Request,
+    number: usize,
+    _: Monitor<'_>,
+) -> anyhow::Result<Batch> {
     let drawing = &request.drawing;
     let asked = BatchRequest {
         scene: SceneRecord::of(&drawing.scene.world),
@@ -120,6 +129,6 @@ pub fn run() -> anyhow::Result<()> {
         time: asked.time,
         is_report: false,
     };
-    let times = time_here(&request, asked.number, Monitor::NONE)?;
+    let times = finished(time_here(&request, asked.number, Monitor::NONE))?;
     Output::Stdout.write(serde_json::to_vec(&times)?)
 }

@@ -9,10 +9,12 @@
 
 use std::time::Duration;
 
+use super::timing::Batch;
 use super::verdict::method_name;
-use super::{Measurement, Request, TimeBatch, front, is_timed, measure};
+use super::{Measurement, Request, front, is_timed, measure};
 use crate::components::common;
 use crate::drawing::Drawing;
+use crate::report::Monitor;
 use crate::report::progress::with_bar;
 use crate::report::words::{capital, short};
 use crate::shading::{Method, methods};
@@ -71,7 +73,7 @@ pub fn over(time: f64, budget: f64) -> String {
 pub fn choose(
     drawing: &Drawing,
     budget: f64,
-    time_batch: TimeBatch,
+    time_batch: impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
 ) -> anyhow::Result<Option<(Measurement, String)>> {
     let request = Request {
         drawing: Drawing {
@@ -84,6 +86,6 @@ pub fn choose(
         time: MEASURING_TIME,
         is_report: false,
     };
-    let measured = with_bar(|monitor| measure(&request, &[], time_batch, monitor))?;
+    let measured = with_bar(async |monitor| measure(&request, &[], &time_batch, monitor).await)?;
     Ok(held(&measured, budget).map(|(one, text)| (one.clone(), text)))
 }

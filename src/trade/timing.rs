@@ -10,9 +10,12 @@
 //! batch 2   turn 1   ...
 //! ```
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde::Serialize;
+use web_time::Instant;
+
+use crate::report::Monitor;
 
 /// Batches of a measurement; see [`Timing::interval`].
 pub const BATCHES: usize = 8;
@@ -78,11 +81,12 @@ pub type Batch = Vec<Vec<f64>>;
 /// [`MIN_SAMPLES`] to [`MAX_SAMPLES`] of each method.
 ///
 /// # Errors
-/// The first error of `draw`.
-pub fn batch(
+/// The first error of `draw`, or that the work is cancelled.
+pub async fn batch(
     number: usize,
     methods: usize,
     time: Duration,
+    monitor: Monitor<'_>,
     mut draw: impl FnMut(usize) -> anyhow::Result<()>,
 ) -> anyhow::Result<Batch> {
     const FRAMES_OF_TURN: usize = MIN_SAMPLES.div_ceil(BATCHES);
@@ -90,18 +94,27 @@ pub fn batch(
     let mut samples = vec![Vec::new(); methods];
     let mut order: Vec<usize> = (0..methods).collect();
     let mut random = fastrand::Rng::with_seed(number as u64);
-    let begin = Instant::now();
+    let mut timed = |method: usize| {
+        monitor.check()?;
+        let start = Instant::now();
+        draw(method)?;
+        anyhow::Ok(start.elapsed())
+    };
+    // Pauses do not count.
+    let mut spent = Duration::ZERO;
     for turn in 1..=MAX_TURNS {
         random.shuffle(&mut order);
         for &method in &order {
-            draw(method)?;
+            spent += timed(method)?;
             for _ in 0..FRAMES_OF_TURN {
-                let start = Instant::now();
-                draw(method)?;
-                samples[method].push(start.elapsed().as_nanos() as f64 / 1e6);
+                if monitor.rest().await {
+                    spent += timed(method)?;
+                }
+                let time = timed(method)?;
+                samples[method].push(time.as_nanos() as f64 / 1e6);
+                spent += time;
             }
         }
-        let spent = begin.elapsed();
         if spent + spent / turn as u32 > time / BATCHES as u32 {
             break;
         }
@@ -113,16 +126,15 @@ pub fn batch(
 ///
 /// # Errors
 /// The first error of a batch.
-pub fn of_batches(
-    batch: impl Fn(usize) -> anyhow::Result<Batch>,
+pub async fn of_batches(
+    batch: impl AsyncFn(usize) -> anyhow::Result<Batch>,
     progress: impl Fn(f64),
 ) -> anyhow::Result<Vec<Timing>> {
-    let batches = (0..BATCHES).map(|number| {
-        let batch = batch(number)?;
+    let mut batches = Vec::with_capacity(BATCHES);
+    for number in 0..BATCHES {
+        batches.push(batch(number).await?);
         progress((number + 1) as f64 / BATCHES as f64);
-        Ok(batch)
-    });
-    let batches = batches.collect::<anyhow::Result<Vec<Batch>>>()?;
+    }
     let of_method = |method: usize| {
         let samples: Vec<_> = batches.iter().map(|it| it[method].clone()).collect();
         Timing::of(&samples)
@@ -137,20 +149,22 @@ mod tests {
     use anyhow::bail;
 
     use super::*;
+    use crate::report::finished;
 
     #[test]
     fn methods_take_turns_in_changing_order_in_every_batch() {
         let drawn = RefCell::new(Vec::new());
         let shares = RefCell::new(Vec::new());
-        let time = |number| {
+        let time = async |number| {
             drawn.borrow_mut().push(Vec::new());
-            batch(number, 3, Duration::ZERO, |method| {
+            let draw = |method| {
                 let mut batches = drawn.borrow_mut();
                 batches.last_mut().expect("it was begun").push(method);
                 Ok(())
-            })
+            };
+            batch(number, 3, Duration::ZERO, Monitor::NONE, draw).await
         };
-        let timings = of_batches(time, |share| shares.borrow_mut().push(share));
+        let timings = finished(of_batches(time, |share| shares.borrow_mut().push(share)));
         let timings = timings.expect("nothing fails");
         // Four of each of eight batches: the fewest that are at least thirty.
         let samples = timings.iter().map(|it| [it.samples, it.raw.len()]);
@@ -174,11 +188,14 @@ mod tests {
 
     #[test]
     fn the_number_of_samples_is_limited_and_the_first_error_ends_the_run() {
-        let time = |number| batch(number, 1, Duration::MAX, |_| Ok(()));
-        let timings = of_batches(time, |_| ()).expect("nothing fails");
+        let batch = async |number, methods, time, draw: fn(usize) -> anyhow::Result<()>| {
+            batch(number, methods, time, Monitor::NONE, draw).await
+        };
+        let time = async |number| batch(number, 1, Duration::MAX, |_| Ok(())).await;
+        let timings = finished(of_batches(time, |_| ())).expect("nothing fails");
         assert!((9_000..=MAX_SAMPLES).contains(&timings[0].samples));
-        assert!(batch(0, 2, Duration::ZERO, |_| bail!("no")).is_err());
-        assert!(of_batches(|_| bail!("no"), |_| ()).is_err());
+        assert!(finished(batch(0, 2, Duration::ZERO, |_| bail!("no"))).is_err());
+        assert!(finished(of_batches(async |_| bail!("no"), |_| ())).is_err());
     }
 
     #[test]
@@ -192,7 +209,7 @@ mod tests {
             }
             Ok(())
         };
-        batch(0, 1, time, frame).expect("nothing fails");
+        finished(batch(0, 1, time, Monitor::NONE, frame)).expect("nothing fails");
         assert!(begin.elapsed() >= time / BATCHES as u32 / 2);
     }
 

@@ -21,10 +21,9 @@ use super::choice::Choice;
 use super::controls::Rotation;
 use super::desk::{Command, Desk, TURN};
 use super::document::Document;
-use super::facts::pool;
 use super::file::INTERVAL;
 use super::inspector::Tab;
-use super::study::{Study, Subject, change};
+use super::study::{Background, Study, Subject, change};
 use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
@@ -58,11 +57,11 @@ pub struct StepOutput {
 }
 
 impl App {
-    /// Starts with `drawing`. Without threads in the background, questions about the picture are answered at once.
+    /// Starts with `drawing`.
     ///
     /// # Errors
     /// If the system gives no threads.
-    pub fn new(drawing: Drawing, has_threads: bool) -> anyhow::Result<Self> {
+    pub fn new(drawing: Drawing, background: Background) -> anyhow::Result<Self> {
         let canvas = Canvas::new(drawing.workers()?);
         let document = Document::of(drawing.scene);
         let painter = Painter::default();
@@ -76,7 +75,7 @@ impl App {
         Ok(App {
             document,
             canvas,
-            study: Study::new(has_threads.then(pool).transpose()?),
+            study: Study::new(background)?,
             choice: Choice::default(),
             desk,
             rotation: Rotation::default(),
@@ -292,6 +291,12 @@ impl App {
             }
         }
         is_new
+    }
+
+    /// Works on questions for `piece`, where no thread does. Returns whether the window has to be drawn again.
+    pub fn carry_on(&mut self, now: Duration, piece: Duration) -> bool {
+        self.study.carry_on(piece);
+        self.receive(now)
     }
 
     /// Shows a document that was just opened.

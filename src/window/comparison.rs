@@ -29,11 +29,11 @@ impl Comparison {
     ///
     /// # Errors
     /// If the picture does not fit in memory, or the work is cancelled.
-    pub fn of(
+    pub async fn of(
         world: &mut World,
         view: &View,
         level: Level,
-        monitor: Monitor,
+        monitor: Monitor<'_>,
     ) -> anyhow::Result<Comparison> {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
@@ -42,7 +42,7 @@ impl Comparison {
         for rows in bands(view.size[1]) {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
             let phong = view.shaded(ShadingMode::Phong);
-            let exact = reference::picture(world, &phong, rows, monitor)?;
+            let exact = reference::picture(world, &phong, rows, monitor).await?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
             let error = metrics::compare(drawn, compared).error.map(|it| it.max);
             largest = largest.into_iter().chain(error).reduce(f64::max);

@@ -1,17 +1,21 @@
 //! The facts about the picture, and the work in the background that finds them.
 
 use std::panic::{self, AssertUnwindSafe};
+use std::pin::Pin;
 use std::sync::mpsc::{self, Receiver};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::task::{Context as TaskContext, Waker};
+use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use web_time::Instant;
 
 use super::comparison::Comparison;
 use crate::drawing::all_cores;
 use crate::probe::Probe;
 use crate::prove::Proof;
-use crate::report::Monitor;
+use crate::report::{Monitor, finished};
 use crate::requires::PartChange;
 use crate::requires::segments::FewestSegments;
 use crate::shading::Method;
@@ -111,36 +115,37 @@ pub struct Work {
     pub answer: Receiver<Answer>,
     /// The present step, and the share of it that is done, 0..=1.
     progress: Arc<Mutex<(&'static str, f64)>>,
+    /// The work that no thread does, and the time at which it is to pause.
+    rest: Option<Pin<Box<dyn Future<Output = ()>>>>,
+    until: Arc<Mutex<Option<Instant>>>,
 }
 
 impl Work {
-    /// Lets a thread of `pool` answer a question; without a pool it is answered at once.
+    /// Lets a thread of `pool` answer a question; without a pool, [`Work::carry_on`] does.
     pub fn begin<T: Send + 'static>(
         pool: Option<&ThreadPool>,
         question: Question,
         place: fn(&mut Facts) -> &mut Latest<T>,
-        find: impl FnOnce(Monitor) -> anyhow::Result<T> + Send + 'static,
+        find: impl AsyncFnOnce(Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
     ) -> Work {
         let progress = Arc::<Mutex<_>>::default();
+        let until = Arc::<Mutex<Option<Instant>>>::default();
         let (tell, answer) = mpsc::channel::<Answer>();
         // The progress lives as long as the work is wanted.
         let wanted = Arc::downgrade(&progress);
-        let work = move || {
-            let is_cancelled = || wanted.strong_count() == 0;
-            if is_cancelled() {
-                return;
-            }
-            let monitor = Monitor {
-                is_cancelled: &is_cancelled,
+        let find = async move |is_due: Option<&(dyn Fn() -> bool + Sync)>| {
+            find(Monitor {
+                is_cancelled: &|| wanted.strong_count() == 0,
                 progress: &|step, share| {
                     if let Some(progress) = wanted.upgrade() {
-                        *progress.lock().unwrap_or_else(PoisonError::into_inner) = (step, share);
+                        *locked(&progress) = (step, share);
                     }
                 },
-            };
-            // A panic was reported, and must not leave the question open for ever.
-            let found = panic::catch_unwind(AssertUnwindSafe(|| find(monitor)));
-            let found = found.unwrap_or_else(|_| Err(anyhow!("a fault of the program")));
+                is_due,
+            })
+            .await
+        };
+        let tell = move |found: anyhow::Result<T>| {
             let answer = move |facts: &mut Facts| {
                 let reason = found.as_ref().err().map(|error| format!("{error:#}"));
                 place(facts).finish(found.ok());
@@ -149,20 +154,42 @@ impl Work {
             // Nobody listens if it was cancelled meanwhile.
             let _ = tell.send(Box::new(answer));
         };
-        match pool {
-            Some(pool) => pool.spawn(work),
-            None => work(),
+        let mut rest: Option<Pin<Box<dyn Future<Output = ()>>>> = None;
+        if let Some(pool) = pool {
+            pool.spawn(move || {
+                // A panic was reported, and must not leave the question open for ever.
+                let found = panic::catch_unwind(AssertUnwindSafe(|| finished(find(None))));
+                tell(found.unwrap_or_else(|_| Err(anyhow!("a fault of the program"))));
+            });
+        } else {
+            let until = Arc::clone(&until);
+            let is_due = move || locked(&until).is_some_and(|until| Instant::now() >= until);
+            rest = Some(Box::pin(async move { tell(find(Some(&is_due)).await) }));
         }
         Work {
             question,
             answer,
             progress,
+            rest,
+            until,
         }
+    }
+
+    /// Carries on work that no thread does: for `piece`, to the end of the row or the frame; or to the end of the work.
+    pub fn carry_on(&mut self, piece: Option<Duration>) {
+        *locked(&self.until) = piece.map(|piece| Instant::now() + piece);
+        let mut context = TaskContext::from_waker(Waker::noop());
+        self.rest
+            .take_if(|rest| rest.as_mut().poll(&mut context).is_ready());
     }
 
     /// The present step with its done share in words, and that share, 0..=1; `None` before the first step.
     pub fn progress(&self) -> Option<(String, f64)> {
-        let (step, share) = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        let (step, share) = *locked(&self.progress);
         (!step.is_empty()).then(|| (format!("{step}, {:.0} %", share * 100.0), share))
     }
+}
+
+fn locked<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
+    value.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -9,6 +9,7 @@ use super::app::App;
 use super::desk::{Desk, reading_time};
 use super::document::Document;
 use super::keys::Action;
+use super::study::Background;
 use super::widgets::offer;
 use crate::drawing::Drawing;
 use crate::memory;
@@ -43,13 +44,13 @@ pub fn sentence(ui: &mut Ui, document: &Document, desk: &mut Desk) {
 pub fn draw(drawing: Drawing, output: &Output) -> anyhow::Result<()> {
     let (size, lesson) = (drawing.size, Arc::clone(&drawing.scene.lesson));
     memory::check(size, PIXEL * size[0] * size[1])?;
-    let mut app = App::new(drawing, false)?;
+    let mut app = App::new(drawing, Background::AtOnce)?;
     app.desk.shows_times = false;
     let is_animated = output.name().to_lowercase().ends_with(".apng");
     let mut file = Vec::new();
     let animation = is_animated.then(|| Animation::new(&mut file, size, lesson.len()));
     let mut animation = animation.transpose()?;
-    with_bar(|monitor| {
+    with_bar(async |monitor| {
         for (place, step) in lesson.iter().enumerate() {
             (monitor.progress)("drawing", place as f64 / lesson.len() as f64);
             if place > 0 {

@@ -4,10 +4,10 @@
 //! shown as the frame dimmed, never as something else.
 
 use std::borrow::Cow;
-use std::time::Instant;
 
 use fearless_simd::Level;
 use hecs::World;
+use web_time::Instant;
 
 use crate::components::{ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
 use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};

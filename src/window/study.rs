@@ -11,7 +11,7 @@ use rayon::ThreadPool;
 use super::comparison::Comparison;
 use super::desk::Desk;
 use super::document::is_another_scene;
-use super::facts::{Facts, Latest, Question, Work};
+use super::facts::{Facts, Latest, Question, Work, pool};
 use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
 use crate::components::{Side, View, ViewMode, alike};
@@ -83,10 +83,22 @@ pub struct Subject<'a> {
     pub rests: bool,
 }
 
+/// The way in which questions are answered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    /// By threads.
+    Threads,
+    /// Piece by piece in [`Study::carry_on`], for a page in a browser.
+    Pieces,
+    /// In the step that asks them, and no more than it must: for tests, and for pictures of the window.
+    AtOnce,
+}
+
 /// The facts, and the work on the next one.
 pub struct Study {
     pub facts: Facts,
-    /// Without threads questions are answered at once.
+    background: Background,
+    /// For [`Background::Threads`].
     pool: Option<ThreadPool>,
     work: Option<Work>,
     next_progress: Duration,
@@ -95,14 +107,18 @@ pub struct Study {
 }
 
 impl Study {
-    pub fn new(pool: Option<ThreadPool>) -> Self {
-        Study {
+    /// # Errors
+    /// If the system gives no threads.
+    pub fn new(background: Background) -> anyhow::Result<Self> {
+        let has_threads = background == Background::Threads;
+        Ok(Study {
             facts: Facts::default(),
-            pool,
+            background,
+            pool: has_threads.then(pool).transpose()?,
             work: None,
             next_progress: Duration::ZERO,
             failure: None,
-        }
+        })
     }
 
     /// Forgets everything, for another scene.
@@ -111,9 +127,9 @@ impl Study {
         self.work = None;
     }
 
-    /// Whether questions are answered in the background.
+    /// Whether questions are answered between steps.
     pub fn is_live(&self) -> bool {
-        self.pool.is_some()
+        self.background != Background::AtOnce
     }
 
     /// Stops frames that are being timed: they would delay the picture after a press.
@@ -138,8 +154,8 @@ impl Study {
         }
     }
 
-    /// Asks the questions whose answers the window shows and does not have, once the picture rests, or at once where there are
-    /// no threads in the background.
+    /// Asks the questions whose answers the window shows and does not have, once the picture rests. Where they are answered
+    /// at once, only those that must be.
     pub fn ask(&mut self, subject: &Subject, desk: &Desk) {
         let viewer = &subject.record.view;
         let level = subject.workers.level();
@@ -153,7 +169,7 @@ impl Study {
                 subject,
                 Question::Probe,
                 |facts| &mut facts.section,
-                move |scene, view, _| {
+                async move |scene, view, _| {
                     // The side of the wipe that the pixel is on.
                     let view = view_at(&viewer, view, pixel[0]);
                     Ok(probe::section(scene, &view, pixel, level)?)
@@ -165,7 +181,9 @@ impl Study {
                 subject,
                 Question::Compare,
                 |facts| &mut facts.comparison,
-                move |scene, view, monitor| Comparison::of(&mut scene.world, view, level, monitor),
+                async move |scene, view, monitor| {
+                    Comparison::of(&mut scene.world, view, level, monitor).await
+                },
             );
         }
         if is_live && desk.shows_times {
@@ -176,7 +194,9 @@ impl Study {
                 subject,
                 Question::Prove,
                 |facts| &mut facts.proof,
-                move |scene, view, monitor| prove(&mut scene.world, view, None, level, monitor),
+                async move |scene, view, monitor| {
+                    prove(&mut scene.world, view, None, level, monitor).await
+                },
             );
         }
         if desk.tab == Some(Tab::Required) {
@@ -184,13 +204,13 @@ impl Study {
                 subject,
                 Question::Require,
                 |facts| &mut facts.required,
-                |scene, view, monitor| part_changes(scene, view, monitor).map(ranked),
+                async |scene, view, monitor| part_changes(scene, view, monitor).await.map(ranked),
             );
             self.find(
                 subject,
                 Question::CountSegments,
                 |facts| &mut facts.segments,
-                |scene, view, monitor| fewest_segments(scene, view, monitor),
+                async |scene, view, monitor| fewest_segments(scene, view, monitor).await,
             );
         }
     }
@@ -210,7 +230,7 @@ impl Study {
             subject,
             Question::Measure,
             |facts| &mut facts.trade,
-            move |scene, view, monitor| {
+            async move |scene, view, monitor| {
                 let request = Request {
                     drawing: Drawing {
                         scene: scene.snapshot(),
@@ -222,7 +242,7 @@ impl Study {
                     time: TIMING,
                     is_report: false,
                 };
-                let mut measured = measure(&request, &known, time_here, monitor)?;
+                let mut measured = measure(&request, &known, time_here, monitor).await?;
                 // The window shows none of them, and copies the rest in each layout.
                 for one in &mut measured {
                     one.timing.raw = Vec::new();
@@ -239,24 +259,34 @@ impl Study {
         subject: &Subject,
         question: Question,
         place: fn(&mut Facts) -> &mut Latest<T>,
-        find: impl FnOnce(&mut Scene, &View, Monitor) -> anyhow::Result<T> + Send + 'static,
+        find: impl AsyncFnOnce(&mut Scene, &View, Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
     ) {
         let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
         let work = self.work.as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
-        let rests = question == Question::Probe || self.pool.is_none() || subject.rests;
+        let rests = question == Question::Probe || !self.is_live() || subject.rests;
         if !is_open || !is_next || !rests {
             return;
         }
         let (name, record) = (subject.name.to_owned(), Arc::clone(subject.record));
         let view = subject.view;
-        let find = move |monitor: Monitor| find(&mut Scene::spawn(name, &record), &view, monitor);
+        let find = async move |monitor: Monitor<'_>| {
+            find(&mut Scene::spawn(name, &record), &view, monitor).await
+        };
         // The work before is cancelled first.
         self.work = None;
         let work = Work::begin(self.pool.as_ref(), question, place, find);
-        self.work = Some(work);
-        if self.pool.is_none() {
+        let work = self.work.insert(work);
+        if self.background == Background::AtOnce {
+            work.carry_on(None);
             self.take_answer();
+        }
+    }
+
+    /// Works on a question for `piece`, if no thread does.
+    pub fn carry_on(&mut self, piece: Duration) {
+        if let Some(work) = &mut self.work {
+            work.carry_on(Some(piece));
         }
     }
 

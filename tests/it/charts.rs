@@ -10,13 +10,13 @@ use shadetrade::extremes::stability::curve::{CurvePoint, EVALUATIONS, ErrorCurve
 use shadetrade::extremes::stability::{SIZE, measure, sweeps::SWEEPS};
 use shadetrade::output::json;
 use shadetrade::prove::Verdict::{self, Proven, Refuted};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 
 use crate::extremes::is_full;
 
 static CURVES: LazyLock<Vec<ErrorCurve>> = LazyLock::new(|| {
     let size = if is_full() { SIZE } else { [16, 12] };
-    measure(size, Level::new(), Monitor::NONE).expect("every value makes a scene")
+    finished(measure(size, Level::new(), Monitor::NONE)).expect("every value makes a scene")
 });
 
 /// Asserts the verdict on an evaluation for all values of a number in this range.

@@ -11,7 +11,7 @@ use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::metrics::pixel_error;
 use shadetrade::probe::{self, Probe, ProbedSurface};
 use shadetrade::reference;
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems;
 
@@ -129,8 +129,13 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
             tolerance: 0.5,
             ..view_from(&scene, 0, size).shaded(ShadingMode::Phong)
         };
-        let truth = reference::picture(&scene.world, &view, 0..size[1], Monitor::NONE)
-            .expect("it is not cancelled");
+        let truth = finished(reference::picture(
+            &scene.world,
+            &view,
+            0..size[1],
+            Monitor::NONE,
+        ))
+        .expect("it is not cancelled");
         let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
         systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
         let triangles = frame.triangles();

@@ -15,11 +15,11 @@ use hecs::World;
 use shadetrade::components::View;
 use shadetrade::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Rule, Seen};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 
 /// The proof of the renderer's picture.
 pub fn proof(world: &mut World, view: &View) -> Proof {
-    prove(world, view, None, Level::new(), Monitor::NONE).expect("a small picture fits")
+    finished(prove(world, view, None, Level::new(), Monitor::NONE)).expect("a small picture fits")
 }
 
 /// The surfaces that each pixel may show, row by row from the top.

@@ -9,7 +9,7 @@ use shadetrade::components::{
     LightKind, Material, NormalMode, Projection, Segments, ShadingMode, TriangleId, View, overwrite,
 };
 use shadetrade::reference::{Sample, in_row, picture};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 
 use crate::support::scene::{self, at, empty, shine, spawn_cuboid, truth, view};
 
@@ -214,7 +214,7 @@ fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancel
         progress: &tell,
         ..Monitor::NONE
     };
-    let part = picture(&world, &view, 7..19, monitor).expect("it is not cancelled");
+    let part = finished(picture(&world, &view, 7..19, monitor)).expect("it is not cancelled");
     assert_eq!(part.width, 40);
     assert_eq!(part.levels, whole.levels[7 * 40..19 * 40]);
     assert_eq!(part.triangles, whole.triangles[7 * 40..19 * 40]);
@@ -228,7 +228,7 @@ fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancel
         is_cancelled: &|| true,
         ..Monitor::NONE
     };
-    assert!(picture(&world, &view, 0..30, cancelled).is_err());
+    assert!(finished(picture(&world, &view, 0..30, cancelled)).is_err());
 }
 
 /// Asserts the level of Gouraud with this many segments at points (x, y) of the face z = 2 of a cube from -2 to 2.

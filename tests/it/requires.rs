@@ -12,7 +12,7 @@ use hecs::World;
 use shadetrade::components::{
     Background, FileOrder, LightKind, Material, Name, Orbit, Projection, Transform, View, Viewer,
 };
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::requires::{Change, Part, changes, parts};
 use shadetrade::scene::{Scene, SceneRecord};
 
@@ -67,7 +67,7 @@ fn from_z(distance: f64, projection: Projection) -> View {
 
 /// The change of the picture without a part.
 fn change(scene: &Scene, view: &View, part: Part) -> Change {
-    let changes = changes(scene, view, &[vec![part]], Monitor::NONE);
+    let changes = finished(changes(scene, view, &[vec![part]], Monitor::NONE));
     changes.expect("nobody cancels it")[0]
 }
 

@@ -7,7 +7,7 @@ use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View}
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::shading::SquareKind;
 use shadetrade::systems;
 
@@ -60,7 +60,14 @@ fn light_all(world: &mut World, place: DVec3) {
 
 /// Asserts that every pixel of a view is proven at both tolerances, and that at least this many show a cuboid.
 fn assert_proven(world: &mut World, view: &View, least: u64) {
-    let proofs = prove_at(TOLERANCES, world, view, None, Level::new(), Monitor::NONE);
+    let proofs = finished(prove_at(
+        TOLERANCES,
+        world,
+        view,
+        None,
+        Level::new(),
+        Monitor::NONE,
+    ));
     let proofs = proofs.expect("a small picture fits");
     assert_eq!(proofs.each_ref().map(|proof| proof.limit), [0.05, 0.5]);
     for proof in proofs {

@@ -9,7 +9,7 @@ use shadetrade::metrics::pixel_error;
 use shadetrade::prove::Verdict::{Gap, Refuted};
 use shadetrade::prove::{Proof, Shown, judge, prove, shown};
 use shadetrade::reference::{Interval, Real, Reference, Seen};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::scene::Scene;
 
 use super::{enclosures, proof};
@@ -67,7 +67,7 @@ fn color(levels: [f64; 3]) -> u32 {
 /// The proof of a picture of another program.
 fn judged(world: &mut World, view: &View, picture: &[u32]) -> Proof {
     let (level, monitor) = (Level::new(), Monitor::NONE);
-    prove(world, view, Some(picture), level, monitor).expect("a small picture fits")
+    finished(prove(world, view, Some(picture), level, monitor)).expect("a small picture fits")
 }
 
 #[track_caller]

@@ -5,8 +5,8 @@ use png::{BitDepth, ColorType, Info};
 use shadetrade::components::{Projection, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::{PngPicture, Proof, Verdict, prove, read_png};
-use shadetrade::report::Monitor;
 use shadetrade::report::progress::bands;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::systems::draw_rows;
 
@@ -24,7 +24,8 @@ fn drawn(scene: &mut Scene, view: &View) -> Vec<u32> {
 
 fn judged(scene: &mut Scene, view: &View, picture: &[u32]) -> Proof {
     let (level, monitor) = (Level::new(), Monitor::NONE);
-    prove(&mut scene.world, view, Some(picture), level, monitor).expect("a small picture fits")
+    finished(prove(&mut scene.world, view, Some(picture), level, monitor))
+        .expect("a small picture fits")
 }
 
 fn exact(scene: &Scene, mode: ShadingMode, projection: Projection) -> View {

@@ -8,7 +8,7 @@ use hecs::World;
 use shadetrade::components::{LightKind, Mesh, Projected, Projection, Segments, ShadingMode, View};
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::prove::prove;
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::systems;
 
 use super::counting::count;
@@ -156,7 +156,7 @@ fn no_pixel_of_any_cuboid_is_refuted() {
             let mode = [ShadingMode::Phong, ShadingMode::Gouraud][case % 2];
             let mut view = view.shaded(mode).with_tolerance(0.5);
             view.segments = Segments::new([1, 2, 9, 100][case / 2 % 4]);
-            let proof = prove(&mut world, &view, None, Level::new(), Monitor::NONE)
+            let proof = finished(prove(&mut world, &view, None, Level::new(), Monitor::NONE))
                 .expect("it is not cancelled");
             assert_eq!(proof.refuted, 0, "{view:?}: {:?}", proof.examples);
         }

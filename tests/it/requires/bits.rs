@@ -7,7 +7,7 @@ use shadetrade::components::{
     LightKind, Mesh, Projection, Segments, ShadingMode, TRIANGLES, View, overwrite,
 };
 use shadetrade::reference::in_row;
-use shadetrade::report::{CANCELLED, Monitor};
+use shadetrade::report::{CANCELLED, Monitor, finished};
 use shadetrade::requires::bits::{FORMATS, Format, StageBits, bits};
 use shadetrade::scene::Scene;
 
@@ -17,7 +17,7 @@ use crate::support::random::Random;
 use crate::support::scene::{at, view_from};
 
 fn of(scene: &Scene, view: &View) -> Vec<StageBits> {
-    bits(scene, view, Monitor::NONE).expect("nobody cancels it")
+    finished(bits(scene, view, Monitor::NONE)).expect("nobody cancels it")
 }
 
 /// The row of a stage.
@@ -247,7 +247,7 @@ fn progress_rises_to_one_and_a_search_can_be_cancelled() {
         progress: &progress,
         ..Monitor::NONE
     };
-    assert!(bits(&scene, &view, monitor).is_ok());
+    assert!(finished(bits(&scene, &view, monitor)).is_ok());
     let mut shares = shares.into_inner().unwrap();
     shares.sort_by(f64::total_cmp);
     assert_eq!((shares.len(), shares[0] > 0.0, shares[17]), (18, true, 1.0));
@@ -255,6 +255,6 @@ fn progress_rises_to_one_and_a_search_can_be_cancelled() {
         is_cancelled: &|| true,
         ..Monitor::NONE
     };
-    let error = bits(&scene, &view, monitor).expect_err("it is cancelled");
+    let error = finished(bits(&scene, &view, monitor)).expect_err("it is cancelled");
     assert_eq!(error.to_string(), CANCELLED);
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::requires::{Part, changes, least, without};
 use shadetrade::scene::{LightRecord, SceneRecord};
 
@@ -31,7 +31,7 @@ fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {
         let shining: Vec<_> = levels.iter().map(light).collect();
         let places = [DVec3::ZERO, DVec3::Z * -4.0].map(at);
         let scene = cubes(&places, &shining, &view);
-        let found = least(&scene, &view, candidates, Monitor::NONE);
+        let found = finished(least(&scene, &view, candidates, Monitor::NONE));
         let (left_out, change) = found.expect("nobody cancels it");
         assert_eq!(left_out, expected, "{levels:?}");
         assert!(change.keeps(0.5), "{change:?}");
@@ -42,7 +42,7 @@ fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {
             |(index, it): (usize, &LightRecord)| it.on != left_out.contains(&Light(index));
         assert!(lights.iter().enumerate().all(is_left), "{lights:?}");
         for (scene, left_out, tolerance) in [(&scene, left_out, 0.5), (&remains, vec![], 0.0)] {
-            let found = changes(scene, &view, &[left_out], Monitor::NONE);
+            let found = finished(changes(scene, &view, &[left_out], Monitor::NONE));
             assert!(found.expect("nobody cancels it")[0].keeps(tolerance));
         }
     }

@@ -9,7 +9,7 @@ use shadetrade::components::{
 };
 use shadetrade::metrics::pixel_error;
 use shadetrade::reference::Reference;
-use shadetrade::report::{CANCELLED, Monitor};
+use shadetrade::report::{CANCELLED, Monitor, finished};
 use shadetrade::requires::Part;
 use shadetrade::requires::segments::{FewestSegments, fewest_segments};
 use shadetrade::scene::Scene;
@@ -19,7 +19,7 @@ use crate::extremes::enlarged;
 use crate::support::scene::{at, view_from};
 
 fn of(scene: &Scene, view: &View) -> Vec<FewestSegments> {
-    fewest_segments(scene, view, Monitor::NONE).expect("nobody cancels it")
+    finished(fewest_segments(scene, view, Monitor::NONE)).expect("nobody cancels it")
 }
 
 /// The largest error of each number of segments in f64, if only this cuboid has Gouraud shading.
@@ -207,13 +207,13 @@ fn progress_is_a_share_and_a_search_can_be_cancelled() {
         progress: &progress,
         ..Monitor::NONE
     };
-    assert!(fewest_segments(&scene, &view, monitor).is_ok());
+    assert!(finished(fewest_segments(&scene, &view, monitor)).is_ok());
     let shares = shares.into_inner().unwrap();
     assert!(shares.iter().all(|it| (0.0..=1.0).contains(it)) && shares.len() >= 18);
     let monitor = Monitor {
         is_cancelled: &|| true,
         ..Monitor::NONE
     };
-    let error = fewest_segments(&scene, &view, monitor).expect_err("it is cancelled");
+    let error = finished(fewest_segments(&scene, &view, monitor)).expect_err("it is cancelled");
     assert_eq!(error.to_string(), CANCELLED);
 }

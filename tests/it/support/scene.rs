@@ -9,7 +9,7 @@ use shadetrade::components::{
 };
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::reference::{Truth, picture};
-use shadetrade::report::Monitor;
+use shadetrade::report::{Monitor, finished};
 use shadetrade::scene::Scene;
 use shadetrade::systems;
 
@@ -132,5 +132,5 @@ pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
 
 /// The picture of the reference in f64.
 pub fn truth(world: &World, view: &View) -> Truth {
-    picture(world, view, 0..view.size[1], Monitor::NONE).expect("it is not cancelled")
+    finished(picture(world, view, 0..view.size[1], Monitor::NONE)).expect("it is not cancelled")
 }

@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
 use shadetrade::drawing::Drawing;
 use shadetrade::scene::Scene;
-use shadetrade::window::{app::App, widgets};
+use shadetrade::window::{app::App, study::Background, widgets};
 
 /// The built-in default scene.
 pub fn default_scene() -> Scene {
@@ -22,7 +22,7 @@ pub fn app(scene: Scene, size: [usize; 2], level: Level) -> App {
         threads: 1,
         level,
     };
-    let mut app = App::new(drawing, false).expect("one thread is always there");
+    let mut app = App::new(drawing, Background::AtOnce).expect("one thread is always there");
     app.desk.shows_times = false;
     app
 }

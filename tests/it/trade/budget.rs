@@ -3,8 +3,10 @@
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::drawing::Drawing;
+use shadetrade::report::Monitor;
 use shadetrade::scene::Scene;
 use shadetrade::shading::Method;
+use shadetrade::trade::Request;
 use shadetrade::trade::budget::{after, best_trades, choose, fitting, held};
 
 use super::example::live;
@@ -74,14 +76,18 @@ fn only_methods_that_can_be_chosen_are_timed() {
         level: Level::new(),
     };
     // Each is said to take 1 ms.
-    let chosen = choose(&drawing, 2.0, |request, _, _| {
-        let mut modes = request.methods.iter().map(|it| it.mode);
-        assert!(
-            modes.all(|mode| mode != UnitVectors),
-            "no budget chooses it"
-        );
-        Ok(vec![vec![1.0; 4]; request.methods.len()])
-    });
+    let chosen = choose(
+        &drawing,
+        2.0,
+        async |request: &Request, _, _: Monitor<'_>| {
+            let mut modes = request.methods.iter().map(|it| it.mode);
+            assert!(
+                modes.all(|mode| mode != UnitVectors),
+                "no budget chooses it"
+            );
+            Ok(vec![vec![1.0; 4]; request.methods.len()])
+        },
+    );
     let chosen = chosen.expect("it is small");
     let (chosen, text) = chosen.expect("a cuboid is drawn");
     assert_eq!((chosen.method.mode, chosen.timing.median), (Phong, 1.0));

@@ -13,7 +13,7 @@ use shadetrade::drawing::Drawing;
 use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::metrics::ErrorStatistics;
 use shadetrade::output::json;
-use shadetrade::report::{CANCELLED, Monitor};
+use shadetrade::report::{CANCELLED, Monitor, finished};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::shading::{METHODS, Method};
 use shadetrade::trade::timing::{MIN_SAMPLES, Timing};
@@ -49,8 +49,12 @@ fn ordinary(size: [usize; 2], threads: usize) -> Request {
 
 /// Measures, checks the properties of all reports, and reads the JSON.
 fn measured(request: &Request) -> (Report, contract::Report) {
-    let report =
-        trade::measure_report(request, batch::time_here, Monitor::NONE).expect("it is measured");
+    let report = finished(trade::measure_report(
+        request,
+        batch::time_here,
+        Monitor::NONE,
+    ))
+    .expect("it is measured");
     let text = json(&report).expect("it is written");
     let read = contract::read(&text);
     assert_eq!(read.size, request.drawing.size.map(|side| side as u64));
@@ -104,7 +108,7 @@ fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
         ..Monitor::NONE
     };
     asked.is_report = false;
-    let seen = measure(&asked, &[], batch::time_here, monitor).expect("it is measured");
+    let seen = finished(measure(&asked, &[], batch::time_here, monitor)).expect("it is measured");
     for (one, seen) in report.methods.iter().zip(&seen) {
         assert_eq!(seen.method, one.method);
         assert_eq!(seen.error, one.error);
@@ -125,7 +129,8 @@ fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
 fn known_errors_and_the_timing_with_more_samples_are_kept() {
     let mut asked = ordinary([64, 48], 1);
     asked.methods.truncate(3);
-    let measure = |known: &[_], monitor| measure(&asked, known, batch::time_here, monitor);
+    let measure =
+        |known: &[_], monitor| finished(measure(&asked, known, batch::time_here, monitor));
     let mut known = measure(&[], Monitor::NONE).expect("it is measured");
     // Errors that no picture can have.
     let error = Some(ErrorStatistics {
@@ -189,7 +194,12 @@ fn the_share_of_the_highlight_is_that_of_specular_light_alone_before_black() {
     }
     let view = lit.view();
     let phong = view.shaded(ShadingMode::Phong);
-    let truth = reference::picture(&lit.scene.world, &phong, 0..120, Monitor::NONE);
+    let truth = finished(reference::picture(
+        &lit.scene.world,
+        &phong,
+        0..120,
+        Monitor::NONE,
+    ));
     let truth = truth.expect("it is not cancelled");
     let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let expected = METHODS.iter().map(|method| {
@@ -255,7 +265,12 @@ fn views_with_little_or_nothing_to_measure_have_a_report() {
 fn what_cannot_be_measured_or_written_is_an_error() {
     // Starts this test program, which does not know the option.
     let request = ordinary([16, 12], 1);
-    let result = measure(&request, &[], batch::time_in_a_process, Monitor::NONE);
+    let result = finished(measure(
+        &request,
+        &[],
+        batch::time_in_a_process,
+        Monitor::NONE,
+    ));
     let said = format!("{:#}", result.expect_err("it cannot"));
     assert!(
         said.contains("batch") && !said.contains("error: "),

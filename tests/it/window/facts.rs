@@ -15,7 +15,7 @@ use shadetrade::window::canvas::REST;
 use shadetrade::window::desk::{Desk, reading_time};
 use shadetrade::window::facts::{Question, Work, pool};
 use shadetrade::window::inspector::Tab;
-use shadetrade::window::study::{Change, Study, Subject};
+use shadetrade::window::study::{Background, Change, Study, Subject};
 
 use super::files::on_file;
 use super::{PAUSE, Window};
@@ -130,7 +130,7 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 fn work_that_is_dropped_ends() {
     let pool = pool().expect("the system has threads");
     let (tell, told) = mpsc::channel();
-    let find = move |monitor: Monitor| {
+    let find = async move |monitor: Monitor<'_>| {
         tell.send("it begins")?;
         while monitor.check().is_ok() {}
         tell.send("it ends")?;
@@ -158,7 +158,7 @@ fn ask(study: &mut Study, probed: bool, rests: bool, desk: &Desk) {
 }
 
 fn live() -> Study {
-    Study::new(Some(pool().expect("the system has threads")))
+    Study::new(Background::Threads).expect("the system has threads")
 }
 
 /// Whether a study works: progress or an answer is to be shown.

@@ -25,7 +25,7 @@ use shadetrade::window::document::{Document, has_edits};
 use shadetrade::window::facts::Facts;
 use shadetrade::window::keys::EXACT_SIDES;
 use shadetrade::window::panel::light_rows;
-use shadetrade::window::study::{Change, Study, Subject, change};
+use shadetrade::window::study::{Background, Change, Study, Subject, change};
 
 use super::trade::measured;
 use crate::support::window::default_scene;
@@ -218,7 +218,7 @@ fn a_change_is_as_great_as_the_facts_that_it_outdates() {
 fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method() {
     let record = record_after(|it| it.view.pixel = Some([0.0; 2]));
     let desk = Desk::default();
-    let mut study = Study::new(None);
+    let mut study = Study::new(Background::AtOnce).expect("it takes no threads");
     let subject = Subject {
         name: "default",
         record: &record,
@@ -277,7 +277,7 @@ fn the_rows_of_lights_switch_the_lights_of_a_world() {
 
 #[test]
 fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
-    let mut study = Study::new(None);
+    let mut study = Study::new(Background::AtOnce).expect("it takes no threads");
     study.facts.trade.finish(Some(measured()));
     let mut world = default_scene().world;
     shade(&mut world, ShadingMode::Gouraud);

@@ -1,5 +1,6 @@
 //! The live trade: the chart as a control, and measurements of the view that is shown.
 
+use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use egui::{Key, Pos2, RawInput};
@@ -9,14 +10,20 @@ use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{Segments, Side, View, ViewMode, common, common_mode};
 use shadetrade::drawing::Drawing;
 use shadetrade::metrics::ErrorStatistics;
-use shadetrade::report::Monitor;
+use shadetrade::prove::prove;
+use shadetrade::report::{Monitor, finished};
+use shadetrade::requires::segments::fewest_segments;
+use shadetrade::requires::{part_changes, ranked};
 use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::trade::Measurement;
+use shadetrade::trade::timing::MIN_SAMPLES;
 use shadetrade::trade::verdict::method_name;
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::controls::{choose_method, wipe};
+use shadetrade::window::inspector::Tab;
+use shadetrade::window::study::Background;
 
 use super::{FRAME, Window, press};
 use crate::support::window::{app, default_scene, places, widgets};
@@ -245,20 +252,54 @@ fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app
         if is_done(app) {
             return output;
         }
+        app.carry_on(now, Duration::ZERO);
         std::thread::yield_now();
     }
     panic!("no answer");
 }
 
-#[test]
-fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
+/// A window whose questions are answered between steps.
+fn in_the_background(background: Background) -> App {
     let drawing = Drawing {
         scene: default_scene(),
         size: [300, 240],
         threads: 1,
         level: Level::new(),
     };
-    let mut app = App::new(drawing, true).expect("there are threads");
+    App::new(drawing, background).expect("there are threads")
+}
+
+#[test]
+fn questions_are_answered_row_by_row_without_threads() {
+    let mut app = in_the_background(Background::Pieces);
+    app.desk.tab = Some(Tab::Required);
+    let steps = Cell::new(0);
+    run(&mut app, |app| {
+        steps.set(steps.get() + 1);
+        app.study.facts.segments.is_current
+    });
+    let facts = &app.study.facts;
+    let mut scene = app.document.scene.snapshot();
+    let view = View::of(&scene.world, app.canvas.size());
+    let (level, none) = (Level::new(), Monitor::NONE);
+    let rows = view.size[1];
+    assert!(steps.get() > 3 * rows, "a piece is a row: {steps:?}");
+    let compared = Comparison::of(&mut scene.world, &view, level, none);
+    assert_eq!(facts.comparison.current(), finished(compared).ok().as_ref());
+    let proof = prove(&mut scene.world, &view, None, level, none);
+    assert_eq!(facts.proof.current(), finished(proof).ok().as_ref());
+    let required = finished(part_changes(&scene, &view, none)).map(ranked);
+    assert_eq!(facts.required.current(), required.ok().as_ref());
+    let segments = finished(fewest_segments(&scene, &view, none));
+    assert_eq!(facts.segments.current(), segments.ok().as_ref());
+    let samples = facts.trade.current().into_iter().flatten();
+    let mut samples = samples.map(|it| it.timing.samples);
+    assert!(samples.all(|it| it >= MIN_SAMPLES) && facts.trade.is_current);
+}
+
+#[test]
+fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
+    let mut app = in_the_background(Background::Threads);
     run(&mut app, |app| app.study.facts.trade.current().is_some());
     let error = app.study.facts.comparison.current();
     assert!(error.is_some(), "it takes less time");
@@ -288,7 +329,12 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let shown = app.study.facts.measured(shown).expect("it is measured");
     let mut world = app.document.state.spawn();
     let view = View::of(&world, app.canvas.size());
-    let compared = Comparison::of(&mut world, &view, Level::new(), Monitor::NONE);
+    let compared = finished(Comparison::of(
+        &mut world,
+        &view,
+        Level::new(),
+        Monitor::NONE,
+    ));
     let compared = compared.expect("it fits");
     assert_eq!(shown.largest_error(), compared.error);
     let [low, high] = shown.timing.interval;
