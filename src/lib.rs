@@ -186,7 +186,7 @@
 //! systems      reference
 //! frame
 //! shading      scene        output
-//! components   paint        memory       simd       report
+//! components   paint        memory       simd       report     files
 //! ```
 //!
 //! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
@@ -206,6 +206,7 @@ pub mod components;
 pub mod drawing;
 pub mod export;
 pub mod extremes;
+pub mod files;
 pub mod frame;
 pub mod memory;
 pub mod metrics;

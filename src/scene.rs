@@ -17,7 +17,6 @@ mod record;
 mod save;
 mod world;
 
-use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -31,6 +30,7 @@ pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
 pub use crate::components::range;
 use crate::components::{Camera, Light, Name, names, viewer_mut};
+use crate::files;
 
 /// In MiB: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most.
 pub const LARGEST: u64 = 16;
@@ -202,7 +202,7 @@ fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Resu
 /// # Errors
 /// If it is larger or cannot be read.
 pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
-    read_from(File::open(path)?, largest)
+    read_from(files::open(path)?, largest)
 }
 
 /// Reads at most `largest` MiB to the end.

@@ -11,7 +11,7 @@ use fearless_simd::{Level, Simd};
 pub(crate) use fearless_simd::dispatch;
 
 /// The levels that can be selected by name. The fallback is the baseline of the architecture: SSE2 on 64-bit x86, Neon
-/// on 64-bit ARM.
+/// on 64-bit ARM, simd128 in a browser.
 pub const NAMES: [&str; 5] = ["fallback", "sse4.2", "avx2", "avx512", "neon"];
 
 /// The level called `name`, if it is one of [`NAMES`] and this machine has it.
@@ -37,7 +37,14 @@ pub type Baseline = fearless_simd::x86::Sse2;
 #[cfg(target_arch = "aarch64")]
 pub type Baseline = fearless_simd::aarch64::Neon;
 /// The SIMD lanes of every machine of the architecture.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+#[cfg(target_arch = "wasm32")]
+pub type Baseline = fearless_simd::wasm32::WasmSimd128;
+/// The SIMD lanes of every machine of the architecture.
+#[cfg(not(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    target_arch = "wasm32"
+)))]
 pub type Baseline = fearless_simd::Fallback;
 
 /// The token of [`Baseline`], for code that is not compiled for every level.
@@ -46,7 +53,13 @@ pub fn baseline() -> Option<Baseline> {
     return Level::baseline().as_sse2();
     #[cfg(target_arch = "aarch64")]
     return Level::baseline().as_neon();
-    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    #[cfg(target_arch = "wasm32")]
+    return Level::baseline().as_wasm_simd128();
+    #[cfg(not(any(
+        target_arch = "x86_64",
+        target_arch = "aarch64",
+        target_arch = "wasm32"
+    )))]
     return Some(fearless_simd::Fallback::new());
 }
 

@@ -37,6 +37,7 @@ pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
 use crate::components::ShadingMode;
 use crate::drawing::camera_name;
+use crate::files;
 use crate::output::{self, Output, one_line, quoted};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
@@ -149,7 +150,7 @@ pub async fn measure_report(
 /// If the methods cannot be measured or a file cannot be written.
 pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
-        output::make_folder(folder)?;
+        files::make_folder(folder)?;
     }
     let report =
         with_bar(async |monitor| measure_report(request, batch::time_in_a_process, monitor).await)?;

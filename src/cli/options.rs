@@ -17,7 +17,8 @@ use crate::components::{
     NormalMode, Projection, Segments, ShadingMode, Viewer, overwrite, viewer_mut,
 };
 use crate::drawing::{Drawing, MAX_THREADS, all_cores};
-use crate::output::{Output, check_place, one_line};
+use crate::files::check_place;
+use crate::output::{Output, one_line};
 use crate::scene::key::{self, Key};
 use crate::scene::{BUILT_IN, MAX_SIDE, Scene, SceneRecord};
 use crate::simd;

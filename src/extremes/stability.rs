@@ -18,6 +18,7 @@ use fearless_simd::Level;
 use self::curve::{EVALUATIONS, ErrorCurve, Errors, table};
 use self::sweeps::SWEEPS;
 use crate::components::{ShadingMode, View};
+use crate::files;
 use crate::frame::{Frame, Keep, Workers};
 use crate::output::{self, print, say};
 use crate::prove::{nearest, shown};
@@ -102,7 +103,7 @@ fn nearest_surface<R: Real>(
 /// If a picture does not fit in memory or a file cannot be written.
 pub fn run(level: Level, out: Option<&Path>, as_json: bool) -> anyhow::Result<()> {
     if let Some(folder) = out {
-        output::make_folder(folder)?;
+        files::make_folder(folder)?;
     }
     let curves = with_bar(async |monitor| measure(SIZE, level, monitor).await)?;
     print(&curves, as_json, None, || table(&curves))?;

@@ -10,9 +10,10 @@ use super::sheet::{half, sheet};
 use crate::components::ShadingMode::{self, Gouraud, Phong};
 use crate::components::View;
 use crate::drawing::all_cores;
+use crate::files::make_folder;
 use crate::frame::{Frame, Keep, Workers};
 use crate::memory;
-use crate::output::{Output, make_folder, one_line, say};
+use crate::output::{Output, one_line, say};
 use crate::scene::Scene;
 use crate::systems;
 

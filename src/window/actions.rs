@@ -9,7 +9,8 @@ use super::keys::{self, Action, EXACT_SIDES};
 use super::pictures::{side_method, sides};
 use super::viewport::DIVIDER_MARGIN;
 use crate::components::ViewMode;
-use crate::output::{encode_png, write_numbered};
+use crate::files::write_numbered;
+use crate::output::encode_png;
 use crate::trade::Measurement;
 
 impl App {

@@ -46,6 +46,8 @@ pub struct App {
     pub pixels: Vec<u32>,
     /// Width and height of the window, in pixels.
     pub(super) size: [usize; 2],
+    /// Pixels per point of egui before `Ctrl +`: those per CSS pixel in a browser.
+    pub scale: f32,
 }
 
 /// The part of a step that the window system carries out.
@@ -82,6 +84,7 @@ impl App {
             painter,
             pixels: Vec::new(),
             size: drawing.size,
+            scale: 1.0,
         })
     }
 
@@ -128,7 +131,7 @@ impl App {
         self.canvas.shown(&viewer, &self.study.facts, turn)
     }
 
-    /// Applies the events of `input` and draws the window of `size` pixels.
+    /// Applies the events of `input`, whose places are in pixels, and draws the window of `size` pixels.
     ///
     /// # Errors
     /// If the picture does not fit in memory.
@@ -178,7 +181,15 @@ impl App {
         self.look_at_file(now);
         input.time = Some(now.as_secs_f64());
         let context = self.painter.context.clone();
-        input.screen_rect = Some(area(size) / context.pixels_per_point());
+        let scale = context.zoom_factor() * self.scale;
+        input.screen_rect = Some(area(size) / scale);
+        let viewport = input.viewports.entry(ViewportId::ROOT).or_default();
+        viewport.native_pixels_per_point = Some(self.scale);
+        for event in &mut input.events {
+            if let Event::PointerMoved(place) | Event::PointerButton { pos: place, .. } = event {
+                *place = (place.to_vec2() / scale).to_pos2();
+            }
+        }
         let mut output = context.run_ui(input, |ui| self.ui(ui));
         self.document.keep(now, ends);
         if let Err(error) = self.document.tend_edits(now) {

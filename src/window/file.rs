@@ -1,20 +1,17 @@
 //! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
-use std::fs;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use anyhow::{bail, ensure};
 
-use crate::output::{Output, write_numbered};
+use crate::files::{self, Stamp, stamp, write_numbered};
+use crate::output::Output;
 use crate::scene::{self, Scene, SceneRecord};
 
 /// The time from one look at the file to the next.
 pub const INTERVAL: Duration = Duration::from_millis(200);
-
-/// The file's time and length; `None` while there is none.
-type Stamp = Option<(SystemTime, u64)>;
 
 /// The state of the scene's file, as it was seen last; or of the text of a built-in scene.
 pub struct SceneFile {
@@ -22,11 +19,12 @@ pub struct SceneFile {
     pub new_name: String,
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
-    seen: Stamp,
+    /// `None` while there is no file.
+    seen: Option<Stamp>,
     /// Whether the file holds no valid scene.
     is_wrong: bool,
     /// A new stamp, seen once. A second look confirms it.
-    doubted: Option<Stamp>,
+    doubted: Option<Option<Stamp>>,
     next: Duration,
 }
 
@@ -57,7 +55,7 @@ impl SceneFile {
         let news = match present {
             None => Err(format!("{} was deleted; the scene stays", path.display())),
             // A pipe of that name could keep the window waiting.
-            Some(_) if !path.is_file() => Err(format!("{} is not a file", path.display())),
+            Some(_) if !files::is_file(path) => Err(format!("{} is not a file", path.display())),
             Some(_) => Scene::load_path(path).map_err(|error| error.to_string()),
         };
         (is_certain || news.is_ok()).then(|| {
@@ -118,9 +116,4 @@ pub(super) fn numbered(stem: &str, number: u32) -> String {
         1 => format!("{stem}.toml"),
         _ => format!("{stem}-{number}.toml"),
     }
-}
-
-fn stamp(path: &Path) -> Stamp {
-    let found = fs::metadata(path).ok()?;
-    Some((found.modified().ok()?, found.len()))
 }

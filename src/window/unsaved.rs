@@ -9,21 +9,21 @@
 //! The file lies beside the scene's; that of a built-in scene, and one that cannot lie there, in a folder of the user's. A
 //! window locks its files while it runs, so that no other window offers, replaces or removes them.
 
-use std::fs::{self, File, TryLockError};
-use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf, absolute};
 use std::sync::Arc;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 use std::{env, mem};
 
 use anyhow::{Context, anyhow};
 use egui::{Align2, Area, Frame, Rect, Ui};
 use indicatif::HumanDuration;
+use web_time::SystemTime;
 
 use super::desk::{Command, Desk};
 use super::document::{Document, has_edits};
 use super::file::{numbered, stem};
-use crate::output::{Output, write_numbered};
+use crate::files::{self, Lock, write_numbered};
+use crate::output::Output;
 use crate::scene::{self, Scene, SceneRecord};
 
 /// The time from a change to its file.
@@ -59,26 +59,14 @@ struct Offer {
 /// A file that other windows leave alone.
 struct Locked {
     path: PathBuf,
-    /// The lock ends with the program, whatever ends that.
-    _lock: File,
+    _lock: Lock,
 }
 
 impl Locked {
     /// `None` if there is no such file, or if another window has it.
     fn new(path: PathBuf) -> Option<Self> {
-        let lock = File::open(&path).ok()?;
-        // Some file systems have no locks.
-        let is_taken = matches!(lock.try_lock(), Err(TryLockError::WouldBlock));
-        (!is_taken).then_some(Locked { path, _lock: lock })
-    }
-
-    fn remove(self) -> anyhow::Result<()> {
-        match fs::remove_file(&self.path) {
-            Err(error) if error.kind() != ErrorKind::NotFound => {
-                Err(error).with_context(|| format!("cannot remove {}", self.path.display()))
-            }
-            _ => Ok(()),
-        }
+        let lock = files::lock(&path)?;
+        Some(Locked { path, _lock: lock })
     }
 }
 
@@ -89,7 +77,7 @@ impl Offer {
         let file = Locked::new(path)?;
         Some(Offer {
             state: Arc::new(SceneRecord::of(&scene.world)),
-            written: fs::metadata(&file.path).and_then(|it| it.modified()).ok()?,
+            written: files::stamp(&file.path)?.0,
             file,
         })
     }
@@ -123,10 +111,8 @@ impl Unsaved {
             due: None,
             has_failed: false,
         };
-        let files = unsaved
-            .folders()
-            .filter_map(|folder| fs::read_dir(folder).ok());
-        let paths = files.flatten().flatten().map(|file| file.path());
+        let paths = unsaved.folders();
+        let paths = paths.flat_map(|folder| files::in_folder(&folder));
         let own = paths.filter(|path| unsaved.is_named(path));
         unsaved.offers = own.filter_map(Offer::read).collect();
         unsaved.offers.sort_by_key(|offer| offer.written);
@@ -152,7 +138,7 @@ impl Unsaved {
     /// Whether its file holds the edits of a state.
     fn holds(&self, state: &SceneRecord) -> bool {
         let own = self.own.as_ref();
-        own.is_some_and(|(file, held)| !has_edits(state, held) && file.path.is_file())
+        own.is_some_and(|(file, held)| !has_edits(state, held) && files::is_file(&file.path))
     }
 
     /// Writes a state into its file, or into a new one if that is not possible.
@@ -174,7 +160,7 @@ impl Unsaved {
         for folder in self.folders() {
             if self.beside.as_ref() != Some(&folder) {
                 // If this fails, so does the next.
-                let _ = fs::create_dir_all(&folder);
+                let _ = files::make_folders(&folder);
             }
             match write_numbered(&folder, name, text.as_bytes()) {
                 Ok(path) => return Ok(path),
@@ -253,7 +239,7 @@ impl Document {
             unsaved.due = None;
             unsaved.own.take()
         });
-        own.map_or(Ok(()), |(file, _)| file.remove())
+        own.map_or(Ok(()), |(file, _)| files::remove(&file.path))
     }
 
     /// Makes an offer of the present edits, before another state takes their place.
@@ -296,7 +282,7 @@ impl Document {
     pub fn discard_edits(&mut self) -> anyhow::Result<()> {
         let unsaved = self.unsaved.as_mut();
         let offer = unsaved.and_then(|unsaved| unsaved.offers.pop());
-        offer.map_or(Ok(()), |offer| offer.file.remove())
+        offer.map_or(Ok(()), |offer| files::remove(&offer.file.path))
     }
 }
 

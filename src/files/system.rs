@@ -1,0 +1,188 @@
+//! The files of the system, which are written completely or not at all.
+//!
+//! The content goes to a hidden temporary file in the folder of the target, which is renamed to the target once all of
+//! it is on the disk. Devices, pipes and open descriptors such as /dev/fd/3 are written directly. A symbolic link stays a
+//! link, and its target is replaced.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+
+use anyhow::{Context, ensure};
+
+use super::{Stamp, folder_of, one_line};
+
+/// Opens a file to be read.
+///
+/// # Errors
+/// If that is not possible.
+pub fn open(path: &Path) -> io::Result<File> {
+    File::open(path)
+}
+
+/// The stamp of a file, if there is one.
+pub fn stamp(path: &Path) -> Option<Stamp> {
+    let found = fs::metadata(path).ok()?;
+    Some((found.modified().ok()?, found.len()))
+}
+
+/// Whether there is an ordinary file.
+pub fn is_file(path: &Path) -> bool {
+    path.is_file()
+}
+
+/// The paths in a folder.
+pub fn in_folder(folder: &Path) -> Vec<PathBuf> {
+    let files = fs::read_dir(folder).into_iter().flatten().flatten();
+    files.map(|file| file.path()).collect()
+}
+
+/// Removes a file, if there is one.
+///
+/// # Errors
+/// If it cannot be removed.
+pub fn remove(path: &Path) -> anyhow::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("cannot remove {}", path.display()))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A lock on a file against other windows. It ends when it is dropped, or with the program, whatever ends that.
+pub struct Lock {
+    _file: File,
+}
+
+/// Locks a file; `None` if there is none, or if another program has it.
+pub fn lock(path: &Path) -> Option<Lock> {
+    let file = File::open(path).ok()?;
+    // Some file systems have no locks.
+    let is_taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+    (!is_taken).then_some(Lock { _file: file })
+}
+
+/// Makes a folder and those that it lies in.
+///
+/// # Errors
+/// If that is not possible.
+pub fn make_folders(folder: &Path) -> io::Result<()> {
+    fs::create_dir_all(folder)
+}
+
+/// Creates the folder `path` unless it exists, and checks that files can be written into it. Its parent must exist.
+///
+/// # Errors
+/// If the folder cannot be created or written to.
+pub fn make_folder(path: &Path) -> anyhow::Result<()> {
+    if !path.is_dir() {
+        ensure!(!path.exists(), "{} is a file, not a folder", one_line(path));
+        check_folder(folder_of(path))
+            .and_then(|()| Ok(fs::create_dir(path)?))
+            .with_context(|| format!("cannot make the folder {}", one_line(path)))?;
+    }
+    tempfile::tempfile_in(path).with_context(|| format!("cannot write into {}", one_line(path)))?;
+    Ok(())
+}
+
+/// The number of this process' open descriptor that a path leads to: 1 for /dev/stdout.
+pub fn descriptor(path: &Path) -> Option<u32> {
+    // A circle of links leads nowhere.
+    path.metadata().ok()?;
+    let mut path = path.to_owned();
+    loop {
+        let folder = folder_of(&path).canonicalize().ok()?;
+        let own = format!("/proc/{}", process::id());
+        if folder == Path::new("/dev/fd") || folder.starts_with(own) && folder.ends_with("fd") {
+            return path.file_name()?.to_str()?.parse().ok();
+        }
+        path = folder.join(fs::read_link(&path).ok()?);
+    }
+}
+
+/// Replaces the file that `path` leads to, or creates it. Devices, pipes and descriptors are written directly.
+///
+/// # Errors
+/// If it cannot be written. An existing file is then unchanged.
+pub fn write(path: &Path, content: &[u8]) -> anyhow::Result<()> {
+    let descriptor = descriptor(path);
+    if descriptor == Some(2) {
+        return Ok(io::stderr().write_all(content)?);
+    }
+    // A file that may not be written may not be replaced either.
+    let old = match OpenOptions::new().append(true).open(path) {
+        Ok(mut file) if descriptor.is_some() || !file.metadata()?.is_file() => {
+            return Ok(file.write_all(content)?);
+        }
+        Ok(file) => Some(file.metadata()?.permissions()),
+        Err(error) if error.kind() == ErrorKind::NotFound => None,
+        Err(error) => return Err(error.into()),
+    };
+    let mut target = path.to_path_buf();
+    while let Ok(next) = fs::read_link(&target) {
+        target = folder_of(&target).join(next);
+    }
+    let folder = folder_of(&target);
+    check_folder(folder)?;
+    let file = temporary_file(folder, content)?;
+    if let Some(permissions) = old {
+        file.as_file().set_permissions(permissions)?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(&target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// Writes a new file into `folder` under the first free name of `name(1)`, `name(2)`, ... and returns its path.
+///
+/// # Errors
+/// If the folder cannot be written to.
+pub fn write_numbered(
+    folder: &Path,
+    name: impl Fn(u32) -> String,
+    content: &[u8],
+) -> anyhow::Result<PathBuf> {
+    let cannot = || format!("cannot write {}", one_line(folder.join(name(1))));
+    let mut file = temporary_file(folder, content).with_context(cannot)?;
+    let mut number = 1;
+    loop {
+        let path = folder.join(name(number));
+        // The system refuses an existing name, so two programs never get the same one.
+        match file.persist_noclobber(&path) {
+            Ok(_) => return Ok(path),
+            Err(taken) if taken.error.kind() == ErrorKind::AlreadyExists => file = taken.file,
+            Err(other) => return Err(other.error).with_context(cannot),
+        }
+        number += 1;
+    }
+}
+
+/// A hidden file with the content and the default permissions of a new file. It is deleted on drop.
+fn temporary_file(folder: &Path, content: &[u8]) -> io::Result<tempfile::NamedTempFile> {
+    let mut name = tempfile::Builder::new();
+    name.prefix(".shadetrade-").suffix(".tmp");
+    // Opened here, because an error of the library would name the temporary file.
+    let file = name.make_in(folder, |path| File::create_new(path))?;
+    file.as_file().write_all(content)?;
+    Ok(file)
+}
+
+/// Checks that a file may be at `path`.
+///
+/// # Errors
+/// If it is a directory, or its folder does not exist.
+pub fn check_place(path: &Path) -> anyhow::Result<()> {
+    ensure!(
+        !path.is_dir(),
+        "cannot write {}: it is a directory",
+        one_line(path)
+    );
+    check_folder(folder_of(path)).with_context(|| format!("cannot write {}", one_line(path)))
+}
+
+fn check_folder(folder: &Path) -> anyhow::Result<()> {
+    ensure!(folder.is_dir(), "there is no folder {}", one_line(folder));
+    Ok(())
+}
