@@ -9,6 +9,9 @@ use web_time::SystemTime;
 
 use super::Stamp;
 
+/// The folder of edits that are not saved. The page stores it.
+pub const UNSAVED: &str = "unsaved";
+
 #[derive(Default)]
 struct Files {
     files: BTreeMap<PathBuf, (Vec<u8>, SystemTime)>,

@@ -28,6 +28,7 @@ use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
 use crate::paint::{Painter, area};
 use crate::probe::Probe;
+use crate::scene::Scene;
 use crate::shading::Method;
 
 /// The width of a window that opens without its panel, in pixels.
@@ -308,6 +309,14 @@ impl App {
     pub fn carry_on(&mut self, now: Duration, piece: Duration) -> bool {
         self.study.carry_on(piece);
         self.receive(now)
+    }
+
+    /// Opens a file or a built-in scene by its name. If it has an error, the scene before stays.
+    pub fn open(&mut self, name: &str) {
+        match Scene::load(Some(name)) {
+            Ok(scene) => self.carry_out(Command::Open(Box::new(scene))),
+            Err(error) => self.desk.file_error = Some(error.to_string()),
+        }
     }
 
     /// Shows a document that was just opened.

@@ -21,6 +21,7 @@ use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::shading::Method;
 use crate::trade::plot::{FLOOR, place_of, vertices};
+use crate::trade::timing::clock_step;
 use crate::trade::verdict::{UNSEEN, method_name, sentence};
 use crate::trade::{Measurement, front};
 
@@ -39,6 +40,8 @@ const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
+/// The least step of a clock that is told, in ms.
+const SEEN_STEP: f64 = 0.001;
 
 /// A time in ms and an error in levels on the axes, which are logarithmic. A clock that does not tell times apart gives 0.
 fn logarithms((time, error): (f64, f64)) -> [f64; 2] {
@@ -62,7 +65,10 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
         (false, Some((step, _))) => step,
         (false, None) if trade.value.is_none() => "times follow".to_owned(),
         (false, None) => "measured before the last change; new times follow".to_owned(),
-        _ => "up: error, levels; right: ms a frame".to_owned(),
+        _ => {
+            let axes = "up: error, levels; right: ms a frame";
+            format!("{axes}{}", resolution(clock_step()))
+        }
     });
     caption.on_hover_text(CAPTION);
     let measured = trade.value.iter().flatten().cloned();
@@ -105,6 +111,14 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
             ui.painter().circle_stroke(at, RING, line);
         }
     }
+}
+
+/// The step of the clock in words, if it is long enough to be seen.
+fn resolution(step: f64) -> String {
+    if step < SEEN_STEP {
+        return String::new();
+    }
+    format!(" (clock: {} ms)", short(step))
 }
 
 /// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.

@@ -1,6 +1,6 @@
 //! Clicks, drags and the wheel over the picture, and their effect on it.
 
-use egui::{Key, Pos2, vec2};
+use egui::{Key, Modifiers, Pos2, vec2};
 use shadetrade::components::{Light, LightKind, ShadingMode, Transform};
 use shadetrade::frame::display_step;
 use shadetrade::scene::{Scene, SceneRecord};
@@ -58,6 +58,23 @@ fn each_notch_of_the_wheel_is_a_step_and_the_same_number_back_undoes_them_bit_fo
     }
     window.wheel(Pos2::new(40.0, 300.0), 3.0);
     assert_eq!(window.record(), start.0, "over the panel");
+}
+
+#[test]
+fn a_click_hits_the_pixel_under_the_mouse_at_every_size_of_text_and_scale_of_the_display() {
+    for (zooms, scale) in [(0, 1.0), (2, 1.0), (0, 2.0), (2, 1.5)] {
+        let mut window = Window::open();
+        window.app.scale = scale;
+        for _ in 0..zooms {
+            window.press_with(Modifiers::COMMAND, Key::Plus);
+        }
+        window.wait(PAUSE);
+        let canvas = &window.app.canvas;
+        let corner = canvas.place.min * canvas.scale;
+        assert_eq!(canvas.scale > 1.0, zooms > 0 || scale > 1.0);
+        window.click(corner + vec2(50.5, 70.5));
+        assert_eq!(window.app.pixel(), Some([50, 70]), "{zooms}, {scale}");
+    }
 }
 
 #[test]
