@@ -32,11 +32,12 @@ pub fn insert(path: &str, content: Vec<u8>) {
     files::insert(path.into(), content);
 }
 
-/// The program, and the pixels of its last step.
+/// The program, and the pixels of its last step as a canvas takes them.
 #[wasm_bindgen]
 pub struct Page {
     app: App,
-    rgba: Vec<u8>,
+    /// The bytes red, green, blue and alpha of each pixel.
+    rgba: Vec<u32>,
 }
 
 #[wasm_bindgen]
@@ -67,10 +68,9 @@ impl Page {
         (self.app.scale, input.modifiers, input.events) = (scale, modifiers, events);
         let now = Duration::from_secs_f64(seconds);
         let output = self.app.step(now, size, input).map_err(told)?;
-        let pixels = self.app.pixels.iter();
-        let bytes = pixels.flat_map(|pixel| (pixel << 8 | 0xff).to_be_bytes());
+        let rgba = |pixel: &u32| (pixel << 8 | 0xff).swap_bytes();
         self.rgba.clear();
-        self.rgba.extend(bytes);
+        self.rgba.extend(self.app.pixels.iter().map(rgba));
         if leaves {
             self.app.may_close(false).map_err(told)?;
         }
@@ -96,8 +96,8 @@ impl Page {
         Ok(outcome.to_string())
     }
 
-    /// The address of the pixels in memory, with 4 bytes each.
-    pub fn pixels(&self) -> *const u8 {
+    /// The address of the pixels in memory.
+    pub fn pixels(&self) -> *const u32 {
         self.rgba.as_ptr()
     }
 
