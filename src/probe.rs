@@ -5,12 +5,16 @@
 //! reference in f64.
 
 mod cause;
-mod text;
+mod json;
+mod page;
 
 use fearless_simd::Level;
 use glam::DVec3;
 
-use crate::components::{FileOrder, Light, Material, Name, ShadingMode, TriangleId, View};
+use crate::components::{
+    FileOrder, Light, Material, Mesh, Name, NormalMode, Projection, ShadingMode, Transform,
+    TriangleId, View, WorldTransform, in_file_order,
+};
 use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
 use crate::memory::OutOfMemory;
 use crate::reference::{self, LightSample, Sample};
@@ -38,8 +42,13 @@ pub struct ProbedSurface {
     pub object: String,
     /// The index of the visible triangle in [`crate::components::TRIANGLES`].
     pub triangle: usize,
-    /// The material's exponent.
-    pub shininess: f64,
+    pub material: Material,
+    /// P and N of the vertices between which the sample interpolates, in world units. N is linear along the face.
+    pub vertices: [[DVec3; 2]; 3],
+    /// O in world units; `None` in orthographic projection.
+    pub eye: Option<DVec3>,
+    /// Every light that is on, in file order.
+    pub sources: Vec<Source>,
     /// The evaluation in f64. Near a diagonal it may be of the other triangle of the face; `None` if the reference sees
     /// another face, at an edge.
     pub sample: Option<Sample>,
@@ -55,11 +64,37 @@ pub struct ProbedSurface {
     pub kind: SquareKind,
 }
 
+/// A light as the scene has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Source {
+    pub name: String,
+    pub light: Light,
+    /// In world units.
+    pub place: DVec3,
+}
+
 impl ProbedSurface {
     /// Every light that is on, in file order; none if the reference sees another face.
     pub fn lights(&self) -> &[LightSample] {
         self.sample.as_ref().map_or(&[], |sample| &sample.lights)
     }
+}
+
+/// The components from which vertices follow.
+type Shape<'a> = (&'a WorldTransform, &'a Mesh, &'a NormalMode);
+
+/// P and N of a sample's vertices in world units.
+fn vertices(sample: &Sample, (place, mesh, normals): Shape) -> [[DVec3; 2]; 3] {
+    let size = mesh.corners[7] - mesh.corners[0];
+    sample.vertices.map(|share| {
+        let normal = match normals {
+            // At a corner each share is 1/2, and N has length 1.
+            NormalMode::Corner => share * (2.0 / 3.0_f64.sqrt()),
+            NormalMode::Face => 2.0 * share * DVec3::AXES[sample.triangle / 4],
+        };
+        let point = place.position + place.axes * (share * size);
+        [point, place.axes * normal]
+    })
 }
 
 /// Evaluates a pixel, which must lie inside the picture for `view`.
@@ -113,12 +148,20 @@ pub fn section(
         |column: &usize| (column - first).is_multiple_of(step) || [x, last].contains(column);
     let columns: Vec<usize> = (first..=last).filter(is_kept).collect();
     let samples = reference::in_row(&scene.world, view, y, &columns);
-    let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode)>();
+    let source = |(name, light, transform): (&Name, &Light, Option<&Transform>)| Source {
+        name: name.0.clone(),
+        light: *light,
+        place: transform.map_or(DVec3::ZERO, |it| it.position),
+    };
+    let mut sources = in_file_order::<(&Name, &Light, Option<&Transform>), _>(&scene.world, source);
+    sources.retain(|source| source.light.on);
+    let eye = (view.projection == Projection::Perspective).then_some(view.camera.position);
+    let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode, Shape)>();
     let cuboids: Vec<_> = query.iter().collect();
     let probes = columns.into_iter().zip(samples).map(|(x, sample)| {
         let id = own.triangles()[row + x];
         let cuboid = cuboids.iter().find(|(order, ..)| order.0 == id.cuboid());
-        let surface = cuboid.map(|(_, name, material, mode)| {
+        let surface = cuboid.map(|(_, name, material, mode, shape)| {
             let levels = |frame: &Frame| frame.levels()[row + x].map(f64::from);
             let own_face = |it: &Sample| {
                 let seen = TriangleId::new(it.object as u32, it.triangle);
@@ -134,7 +177,12 @@ pub fn section(
             ProbedSurface {
                 object: name.0.clone(),
                 triangle: id.triangle(),
-                shininess: material.shininess,
+                material: **material,
+                vertices: sample
+                    .as_ref()
+                    .map_or_else(Default::default, |it| vertices(it, *shape)),
+                eye,
+                sources: sources.clone(),
                 gouraud: finite(&gouraud, |it| it.gouraud),
                 phong: finite(&phong, |it| it.phong),
                 drawn: levels(&own),

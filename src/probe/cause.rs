@@ -61,7 +61,7 @@ impl ProbedSurface {
         };
         let (name, here) = (format!("light {}", light.name), light.factor);
         let factor = match light.kind {
-            LightKind::Specular => format!("(o.r)^{}", self.shininess),
+            LightKind::Specular => format!("(o.r)^{}", self.material.shininess),
             _ => "n.l".to_owned(),
         };
         let [a, b, c] = light.vertex_factors;

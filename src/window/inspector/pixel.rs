@@ -1,7 +1,7 @@
 //! The pixel's tab: the drawn and the exact levels, the cause of their difference, the levels along the row, every number.
 
 use egui::color_picker::show_color;
-use egui::{CollapsingHeader, Color32, Grid, Label, RichText, StrokeKind, Ui, vec2};
+use egui::{CollapsingHeader, Color32, Grid, Label, RichText, ScrollArea, StrokeKind, Ui, vec2};
 use egui_plot::{Line, LineStyle, Plot, VLine};
 use hecs::World;
 
@@ -16,8 +16,8 @@ use crate::window::canvas::Canvas;
 use crate::window::study::Study;
 use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still, wait};
 
-/// The length of a line of numbers, in font sizes.
-const LINE: f32 = 45.0 * 0.61;
+/// The width of a letter of the numbers, in font sizes.
+const LETTER: f32 = 0.61;
 const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0 to 1e6."];
 
 /// The broad line of the picture, under the others.
@@ -74,11 +74,14 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
         let range = Shininess::RANGE;
         slider(ui, SHININESS, &mut material.shininess, range, 0.1);
     }
-    let text = probe.lines().join("\n");
+    let lines = probe.lines();
     let numbers = CollapsingHeader::new("every number");
     numbers.show_unindented(ui, |ui| {
-        let size = (ui.available_width() / LINE).clamp(9.0, 11.0);
-        ui.add(Label::new(RichText::new(text).size(size).monospace()).extend());
+        let longest = lines.iter().map(|line| line.chars().count()).max();
+        let width = longest.unwrap_or_default() as f32 * LETTER;
+        let size = (ui.available_width() / width).clamp(9.0, 11.0);
+        let text = RichText::new(lines.join("\n")).size(size).monospace();
+        ScrollArea::horizontal().show(ui, |ui| ui.add(Label::new(text).extend()));
     });
 }
 

@@ -1,10 +1,11 @@
-//! What the probe says in words and in rows: the cause of a difference, the cost of a pixel, and every number.
+//! What the probe says in words and in rows: the cause of a difference, the cost of a pixel, and the page on which it is worked out.
 
+use fearless_simd::Level;
 use glam::DVec3;
-use shadetrade::components::{LightKind, ShadingMode};
+use shadetrade::components::{LightKind, NormalMode, Projection, Segments, ShadingMode, View};
 use shadetrade::frame::display_step;
-use shadetrade::probe::Probe;
-use shadetrade::scene::SceneRecord;
+use shadetrade::probe::{self, Probe, ProbedSurface};
+use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::shading::SquareKind::{InF64, Linear, PerPixel, Quadratic};
 
 use super::surface_of;
@@ -80,99 +81,255 @@ fn the_cost_is_that_of_the_square() {
     }
 }
 
-/// Asserts that a cell shows this value: 0, three decimals, or two digits and a power of ten.
-fn assert_shows(cell: &str, value: f64) {
-    assert!(cell.len() <= 9, "{cell}");
-    let shown: f64 = cell.parse().expect("a number");
-    let allowed = if value.abs() <= 1e-6 {
-        assert_eq!(cell, "0");
-        1e-6
-    } else if (1e-3..1e4).contains(&value.abs()) {
-        5.1e-4
-    } else {
-        0.06 * value.abs()
-    };
-    assert!((shown - value).abs() <= allowed, "{cell} for {value}");
+/// The numbers of a page as they are printed, and the page worked out again from them by the formula of the README.
+struct Page {
+    lines: Vec<String>,
+    /// The next line.
+    at: usize,
+    /// The significant digits, from the width of a column.
+    digits: i32,
+}
+
+impl Page {
+    fn of(probe: &Probe) -> Self {
+        let lines = probe.lines();
+        let is_weights = |line: &&String| line.starts_with("weights");
+        let width = lines.iter().find(is_weights).expect("weights").len();
+        Page {
+            digits: (width as i32 - 9) / 3 - 6,
+            lines,
+            at: 0,
+        }
+    }
+
+    /// The numbers after this label, at least this many, in the first line below the last that was read.
+    fn numbers(&mut self, label: &str, least: usize) -> Vec<f64> {
+        let numbers = |line: &String| -> Option<Vec<f64>> {
+            let rest = line.trim_start().strip_prefix(label)?;
+            let words = rest.split_whitespace();
+            let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
+            let is_label = rest.is_empty() || rest.starts_with(' ');
+            (is_label && numbers.len() >= least).then_some(numbers)
+        };
+        let mut below = self.lines[self.at..].iter().map(numbers).enumerate();
+        let found = below.find_map(|(place, numbers)| Some((place, numbers?)));
+        let (place, numbers) = found.unwrap_or_else(|| panic!("{label:?} in {:#?}", self.lines));
+        self.at += place + 1;
+        numbers
+    }
+
+    fn after(&mut self, label: &str) -> Vec<f64> {
+        self.numbers(label, 0)
+    }
+
+    fn vector(&mut self, label: &str) -> DVec3 {
+        DVec3::from_slice(&self.numbers(label, 3))
+    }
+
+    /// Half a unit of the last digit of a number of this size.
+    fn half(&self, size: f64) -> f64 {
+        let exponent = size.abs().max(f64::MIN_POSITIVE).log10().floor() as i32;
+        0.501 * 10.0_f64.powi(exponent - self.digits + 1)
+    }
+
+    #[track_caller]
+    fn assert_result(&self, printed: DVec3, worked_out: DVec3) {
+        for (printed, exact) in printed.to_array().into_iter().zip(worked_out.to_array()) {
+            // Rounding errors of a vector are printed as 0.
+            let allowed = self.half(exact).max(1e-12 * worked_out.length());
+            assert!(
+                (printed - exact).abs() <= allowed,
+                "{printed} for {exact}: {:#?}",
+                self.lines
+            );
+        }
+    }
+
+    #[track_caller]
+    fn assert_levels(&self, printed: DVec3, worked_out: DVec3) {
+        let allowed = 0.000_501_f64.max(1e-6 * worked_out.abs().max_element());
+        let error = (printed - worked_out).abs().max_element();
+        assert!(
+            error <= allowed,
+            "{printed} for {worked_out}: {:#?}",
+            self.lines
+        );
+    }
+
+    fn sum(&mut self, terms: &[DVec3]) -> DVec3 {
+        let sum = self.vector("sum");
+        self.assert_levels(sum, terms.iter().sum());
+        let bytes = (sum.clamp(DVec3::ZERO, DVec3::splat(255.0)) + 0.5).floor();
+        assert_eq!(self.vector("bytes"), bytes);
+        sum
+    }
+
+    /// Works everything out again. Returns the sums under Phong and Gouraud.
+    fn check(&mut self, surface: &ProbedSurface) -> [DVec3; 2] {
+        self.after("vertices: P and N of each");
+        let vertices = self.at;
+        let corners: Vec<[DVec3; 2]> = (0..3)
+            .map(|corner| {
+                ["P", "N"].map(|name| {
+                    let line = &self.lines[vertices + 2 * corner + usize::from(name == "N")];
+                    let (_, numbers) = line.split_once(name).expect("a label");
+                    let numbers = numbers
+                        .split_whitespace()
+                        .map(|it| it.parse().expect("a number"));
+                    DVec3::from_slice(&numbers.collect::<Vec<_>>())
+                })
+            })
+            .collect();
+        let weights = self.vector("weights").to_array();
+        let blend = |of: usize| {
+            (0..3)
+                .map(|it| corners[it][of] * weights[it])
+                .sum::<DVec3>()
+        };
+        let point = self.vector("P");
+        self.assert_result(point, blend(0));
+        let n = self.vector("n");
+        self.assert_result(n, blend(1).normalize());
+        if surface.eye.is_some() {
+            let eye = self.vector("O");
+            let start = self.at;
+            let o = self.vector("o");
+            self.assert_result(o, (eye - point).normalize());
+            self.at = start;
+        }
+        let o = self.vector("o");
+        let (mut strengths, mut terms) = (Vec::new(), Vec::new());
+        for light in surface.lights() {
+            self.after(&format!("{}: {}", light.name, light.kind.name()));
+            let mut factor = 1.0;
+            if light.kind != LightKind::Ambient {
+                let away = self.vector("L") - point;
+                let l = self.vector("l");
+                self.assert_result(l, away.normalize());
+                let one = |value: f64| DVec3::splat(value);
+                let cosine = self.after("n.l =")[0];
+                self.assert_result(one(cosine), one(n.dot(l)));
+                factor = cosine.max(0.0);
+                if light.kind == LightKind::Specular && cosine > 0.0 {
+                    let r = self.vector("r");
+                    self.assert_result(r, 2.0 * cosine * n - l);
+                    let cosine = self.after("o.r =")[0];
+                    self.assert_result(one(cosine), one(o.dot(r)));
+                    let shininess = surface.material.shininess;
+                    factor = self.after(&format!("(o.r)^{shininess} ="))[0];
+                    self.assert_result(one(factor), one(cosine.max(0.0).powf(shininess)));
+                }
+            }
+            let [mut strength, mut term] = [DVec3::ZERO; 2];
+            for (channel, name) in ["red", "green", "blue"].into_iter().enumerate() {
+                let [a, b, c, d, product] = self.after(name)[..] else {
+                    panic!("{:#?}", self.lines);
+                };
+                strength[channel] = product;
+                term[channel] = product;
+                self.assert_levels(DVec3::splat(product), DVec3::splat(a * b * c * d));
+                if light.kind != LightKind::Ambient {
+                    let [by, product] = self.after("x")[..] else {
+                        panic!("{:#?}", self.lines);
+                    };
+                    assert_eq!(by, factor);
+                    term[channel] = product;
+                    self.assert_levels(DVec3::splat(product), DVec3::splat(strength[channel] * by));
+                }
+            }
+            strengths.push(strength);
+            terms.push(term);
+        }
+        self.after("Phong");
+        for (light, term) in surface.lights().iter().zip(&terms) {
+            assert_eq!(self.vector(&light.name), *term);
+        }
+        let phong = self.sum(&terms);
+        self.after("Gouraud: each factor at the vertices,");
+        let mut factors = Vec::new();
+        for light in surface.lights() {
+            let at_vertices = self.vector(&light.name);
+            factors.push(self.after("factor =")[0]);
+            let sum = at_vertices.dot(weights.into());
+            self.assert_result(DVec3::splat(factors[factors.len() - 1]), DVec3::splat(sum));
+        }
+        terms.clear();
+        for (index, light) in surface.lights().iter().enumerate() {
+            let term = self.vector(&light.name);
+            self.assert_levels(term, strengths[index] * factors[index]);
+            terms.push(term);
+        }
+        [phong, self.sum(&terms)]
+    }
 }
 
 #[test]
-fn the_text_shows_every_value_in_rows() {
-    let strengths = [1e-9, 0.5, 7e5];
-    let surface = surface_of(ShadingMode::Phong, [300, 300], |record| {
-        for (light, strength) in record.light.iter_mut().zip(strengths) {
-            light.intensity *= strength;
+fn every_result_of_a_page_follows_from_its_numbers_and_is_exact() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let (mut pixels, mut lit) = (0, 0);
+    while pixels < 200 {
+        let (name, text) = BUILT_IN[random.usize(..BUILT_IN.len())];
+        let mut record = SceneRecord::of(&Scene::parse(name, text).expect("it is built in").world);
+        for cuboid in &mut record.cuboid {
+            cuboid.normals = [NormalMode::Corner, NormalMode::Face][random.usize(..2)];
+            cuboid.segments = Segments::new([1, 1, 5][random.usize(..3)]).expect("a number");
         }
-    });
+        let mut scene = Scene::spawn(name.to_owned(), &record);
+        let view = View {
+            projection: [Projection::Perspective, Projection::Orthographic][random.usize(..2)],
+            ..View::of(&scene.world, [320, 240])
+        };
+        let pixel = [random.usize(..320), random.usize(..240)];
+        let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
+        let Some((surface, sample)) =
+            (probe.surface.as_ref()).and_then(|surface| Some((surface, surface.sample.as_ref()?)))
+        else {
+            continue;
+        };
+        let sums = Page::of(&probe).check(surface);
+        for (sum, exact) in sums.into_iter().zip([sample.phong, sample.gouraud]) {
+            let error = (sum - exact).abs() / exact.abs().max(DVec3::ONE);
+            assert!(
+                error.max_element() < 1e-3,
+                "{sum} for {exact}: {pixel:?} of {name}"
+            );
+        }
+        pixels += 1;
+        let lights = sample.lights.iter();
+        lit += usize::from(
+            lights
+                .clone()
+                .any(|it| it.kind == LightKind::Specular && it.factor > 0.01),
+        );
+    }
+    assert!(lit > 3, "{lit} pixels of highlights");
+}
+
+#[test]
+fn a_page_says_what_the_reference_does_not_see() {
+    let mut surface = surface_of(ShadingMode::Phong, [300, 300], |_| ());
+    let triangle = surface.triangle;
+    surface.sample.as_mut().expect("the same face").triangle = triangle ^ 1;
+    let label = format!("(reference: {})", triangle ^ 1);
+    assert!(surface.triangle_label().ends_with(&label));
+    let drawn = surface.phong;
+    surface.sample = None;
     let mut probe = Probe {
         pixel: [31, 7],
-        surface: Some(surface.clone()),
+        surface: Some(surface),
     };
     let lines = probe.lines();
-    let head = format!("pixel 31,7: emerald, triangle {}", surface.triangle);
-    assert_eq!(lines[0], head);
-    assert!(lines.iter().all(|line| line.len() <= 45), "{lines:?}");
-    // The first row of this name below a heading.
-    let cells = |lines: &[String], heading: &str, name: &str| -> Vec<String> {
-        let words = lines.iter().map(|line| line.split_whitespace());
-        let mut below = words.skip_while(|words| words.clone().next() != Some(heading));
-        let row = below.find(|words| words.clone().next() == Some(name));
-        row.expect(name).skip(1).map(str::to_owned).collect()
-    };
-    let assert_row = |heading: &str, name: &str, values: DVec3| {
-        let cells = cells(&lines, heading, name);
-        for (index, value) in values.to_array().into_iter().enumerate() {
-            assert_shows(&cells[index], value);
-        }
-    };
-    for light in surface.lights() {
-        assert_row("strength", &light.name, light.strength);
-        assert_row("Gouraud", &light.name, light.gouraud);
-        assert_row("Phong", &light.name, light.phong);
-        let heading = format!("  {} ({})", light.name, light.kind.name());
-        assert_eq!(lines.contains(&heading), light.kind != LightKind::Ambient);
-        let row = cells(&lines, "factor", &light.name);
-        let factor: f64 = row[2].parse().expect("a number");
-        assert!((factor - light.factor).abs() < 1e-5, "{row:?}");
-        assert_eq!(row[1] == "-", light.kind != LightKind::Specular, "{row:?}");
-    }
-    assert_eq!(cells(&lines, "factor", "n.l"), ["o.r", "factor"]);
-    // Gouraud by hand, from the rows of the vertices.
-    let numbers = |name: &str| -> Vec<f64> {
-        let at = lines.iter().position(|line| line.contains("factor at"));
-        let cells = cells(&lines[at.expect("a heading")..], "factor", name);
-        let numbers = cells.iter().map(|it| it.parse().expect("a number"));
-        numbers.collect()
-    };
-    let weights = numbers("weight");
-    for light in surface.lights() {
-        let factors = numbers(&light.name);
-        let terms = weights.iter().zip(factors).map(|(w, factor)| w * factor);
-        let sum: f64 = terms.sum();
-        assert!((light.strength * sum - light.gouraud).length() < 1e-4 * light.strength.length());
-    }
-    let exact = surface.sample.as_ref().expect("the same face");
-    assert!(exact.position.x < -1.0);
-    assert_row("pixel", "position", exact.position);
-    for (mode, drawn, exact) in [
-        ("Gouraud", surface.gouraud, exact.gouraud),
-        ("Phong", surface.phong, exact.phong),
-    ] {
-        assert_row(mode, "drawn", drawn);
-        assert_row(mode, "reference", exact);
-        let bytes = drawn.to_array().map(|level| f64::from(display_step(level)));
-        assert_row(mode, "bytes", DVec3::from(bytes));
-    }
-
-    // At an edge the reference may see another triangle, or another face.
-    let surface = probe.surface.as_mut().expect("set above");
-    let other = surface.triangle ^ 1;
-    surface.sample.as_mut().expect("the same face").triangle = other;
-    let label = format!("(reference: {other})");
-    assert!(surface.triangle_label().ends_with(&label));
-    surface.sample = None;
-    let lines = probe.lines();
-    assert!(lines[2].ends_with("n -"), "{lines:?}");
-    assert_eq!(cells(&lines, "Phong", "reference"), ["-"; 3]);
+    assert_eq!(
+        lines[0],
+        format!("pixel 31,7: emerald, triangle {triangle}")
+    );
+    assert!(lines.iter().any(|line| line.contains("another face")));
+    let bytes = drawn
+        .to_array()
+        .map(|level| display_step(level).to_string());
+    let shown = lines.iter().find(|line| line.starts_with("bytes"));
+    let shown: Vec<_> = shown.expect("a row").split_whitespace().skip(1).collect();
+    assert_eq!(shown, bytes);
     probe.surface = None;
     assert_eq!(probe.lines(), ["pixel 31,7: background"]);
 }
