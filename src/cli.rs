@@ -24,7 +24,7 @@ use crate::drawing::all_cores;
 use crate::output::Output;
 pub use commands::{
     DEFAULT_FIGURES, ExportOptions, ExtremesOptions, LessonOptions, ProbeOptions, ProveOptions,
-    RenderOptions, RequiresOptions, TradeOptions, ViewOptions,
+    RenderOptions, RequiresOptions, TradeOptions, VaryOptions, ViewOptions,
 };
 pub use failure::Failure;
 
@@ -125,12 +125,21 @@ Examples:
 A part is required unless the error of leaving it out is proven to be within the tolerance.
 The second table has the fewest bits of significand that each stage of the model needs.")]
     Requires(RequiresOptions),
+    /// Varies a number of the scene, and shows the range in which each method keeps the tolerance
+    #[command(after_help = "\
+Examples:
+  shadetrade vary camera.1.orbit.zoom=1..30            from which distance does per-vertex light do?
+  shadetrade vary light.white.position.z=1.1..20 -o lamp   how close may a lamp come to a face?
+  shadetrade vary cuboid.emerald.material.shininess=1..1e6 --tolerance 0   how large a shininess does f32 carry?
+
+Every pixel is compared with an interval that encloses its exact level. Ends are found by bisection, to a hundredth of
+the range. Steps are logarithmic where both ends have one sign and a ratio of 10 or more.")]
+    Vary(VaryOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\
 Examples:
   shadetrade extremes --list
   shadetrade extremes eye-inside horizon-1e12
-  shadetrade extremes --chart -o stability
 
 Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at
 tolerance 0 and 0.5; of some scenes in fewer pictures. Exit status 1 if an extreme fails.")]
@@ -185,6 +194,7 @@ impl Command {
             Command::Render(options) => options.drawing.workers.threads(),
             Command::Prove(options) => options.drawing.workers.threads(),
             Command::Requires(options) => options.drawing.workers.threads(),
+            Command::Vary(options) => options.drawing.workers.threads(),
             Command::Extremes(options) => options.workers.threads(),
             Command::Lesson(options) => options.workers.threads(),
             // The reference is not timed, so it may use every core.

@@ -4,8 +4,6 @@
 //! picture. Every pixel of its pictures is proven: from each camera, in both projections and modes, exactly and within half a
 //! level. `index.toml` lists the exceptions: another size, fewer pictures, and levels known on paper.
 
-pub mod stability;
-
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
@@ -21,7 +19,7 @@ use crate::output::{self, Output, print};
 use crate::prove::{Example, Proof, Verdict, prove_at};
 use crate::report::progress::with_bar;
 use crate::report::{Monitor, finished};
-use crate::scene::{EXTREMES, Scene};
+use crate::scene::{EXTREMES, Scene, first_sentence};
 use crate::shading::limit;
 use crate::systems;
 
@@ -214,11 +212,7 @@ impl Extreme {
     fn sentence(&self) -> String {
         let mut scenes = EXTREMES.iter();
         let scene = scenes.find(|(path, _)| path.trim_start_matches(FOLDER) == self.name);
-        let lines = scene.map_or("", |(_, text)| text).lines();
-        let head: Vec<&str> = lines.map_while(|line| line.strip_prefix("# ")).collect();
-        let head = head.join(" ");
-        let sentence = head.split_inclusive(". ").next();
-        sentence.unwrap_or_default().trim_end().to_owned()
+        scene.map_or_else(String::new, |(_, text)| first_sentence(text))
     }
 
     /// Proves the pictures.

@@ -148,8 +148,8 @@
 //!
 //! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
 //! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
-//! pixel of them, and compares levels with those that are known on paper. Its charts ([`extremes::stability`]) sweep one
-//! number at a time and show where f32 and f64 exceed the tolerance. All is computed from differences to the eye, and no
+//! pixel of them, and compares levels with those that are known on paper. [`vary`] varies one number of a scene and
+//! shows where methods, f32 and f64 cease to keep the tolerance. All is computed from differences to the eye, and no
 //! threshold is an absolute length: a scene that is moved, or scaled by a power of two, has the same bits if none of its
 //! numbers is rounded.
 //!
@@ -180,6 +180,7 @@
 //! ```text
 //! main
 //! cli          window       extremes
+//! vary
 //! prove        requires     pictures     probe      export
 //! trade
 //! drawing      metrics
@@ -223,4 +224,5 @@ pub mod shading;
 pub mod simd;
 pub mod systems;
 pub mod trade;
+pub mod vary;
 pub mod window;

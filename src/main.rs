@@ -9,7 +9,7 @@ use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, LessonOptions, ProbeOptions, ViewOptions,
 };
 use shadetrade::window::{self, NoDisplay};
-use shadetrade::{export, extremes, output, pictures, probe, prove, requires, trade};
+use shadetrade::{export, extremes, output, pictures, probe, prove, requires, trade, vary};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -49,6 +49,10 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let least = options.output.as_ref();
             requires::command::run(&options.drawing.open(least)?, least, options.json)
         }
+        Command::Vary(options) => {
+            let folder = options.output.as_deref();
+            vary::run(&options.request()?, folder, options.json)
+        }
         Command::Export(options) => {
             let (drawing, path) = options.open()?;
             export::run(&drawing, path)
@@ -59,13 +63,9 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Proves or lists extremes, or draws the stability charts.
+/// Proves or lists extremes.
 fn extremes(options: &ExtremesOptions) -> Result<(), Failure> {
     let level = options.workers.simd;
-    if options.chart {
-        let folder = options.output.as_deref();
-        return Ok(extremes::stability::run(level, folder, options.json)?);
-    }
     let chosen = extremes::named(&options.names).map_err(Failure::Usage)?;
     if options.list {
         return Ok(extremes::list(&chosen, options.json)?);

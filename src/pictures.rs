@@ -31,7 +31,7 @@ use crate::{reference, simd, systems};
 pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut view = drawing.view();
     let budget = viewer(&drawing.scene.world).budget;
-    let chosen = budget.map(|budget| budget::choose(drawing, budget, time_here));
+    let chosen = budget.map(|budget| budget::choose(drawing, budget, &time_here));
     let chosen = chosen.transpose()?.flatten();
     if let (Some(budget), Some((one, text))) = (budget, &chosen) {
         view = one.method.view(&view);
@@ -40,13 +40,13 @@ pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut frame = Frame::new(Keep::Display, drawing.workers()?);
     let world = &mut drawing.scene.world;
     let mut draw = |_| systems::draw(world, &view, &mut frame).map_err(anyhow::Error::from);
-    let timing = match chosen {
-        Some((one, _)) => draw(0).map(|()| one.timing),
-        None => {
-            let times = timing::batch(0, 1, Duration::ZERO, Monitor::NONE, draw);
-            finished(times).map(|times| Timing::of(&times))
-        }
-    }?;
+    let timing = if let Some((one, _)) = chosen {
+        draw(0)?;
+        one.timing
+    } else {
+        let times = timing::batch(0, 1, Duration::ZERO, Monitor::NONE, draw);
+        Timing::of(&finished(times)?)
+    };
     output.write_png(frame.pixels(), frame.size())?;
     let [width, height] = frame.size();
     say(&format!(

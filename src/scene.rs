@@ -219,6 +219,17 @@ pub fn read_from(source: impl Read, largest: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// The first sentence of the comment at the head of a file.
+pub fn first_sentence(text: &str) -> String {
+    let head: Vec<&str> = text
+        .lines()
+        .map_while(|line| line.strip_prefix("# "))
+        .collect();
+    let head = head.join(" ");
+    let sentence = head.split_inclusive(". ").next();
+    sentence.unwrap_or_default().trim_end().to_owned()
+}
+
 /// Fails unless `name` is among the `names` of a `kind`, and then lists them.
 fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
     if names.iter().any(|known| known == name) {

@@ -41,7 +41,7 @@ use crate::files;
 use crate::output::{self, Output, one_line, quoted};
 use crate::report::Monitor;
 use crate::report::progress::with_bar;
-use crate::report::words::counted;
+use crate::report::words::{counted, short};
 use crate::shading::Method;
 
 /// The files of a report, besides error maps.
@@ -84,9 +84,6 @@ pub async fn measure(
     Ok(measured)
 }
 
-/// Errors with a smaller difference, in levels, are equal. The rounding of the reference in f64 is far smaller.
-const RESOLUTION: f64 = 1e-6;
-
 /// Whether the time of a method is comparable. The assignment's shortcut is evaluated in f64 by its definition, and not as a
 /// renderer would that saves time by it.
 pub fn is_timed(method: Method) -> bool {
@@ -96,19 +93,21 @@ pub fn is_timed(method: Method) -> bool {
 /// Marks the methods on the front. From the fastest on, each of them errs less than all before. A method without an error or
 /// without a comparable time is not on it.
 pub fn mark_front(methods: &mut [Measurement]) {
-    let steps = |it: &Measurement| {
+    // An error as it is printed, so that no difference decides that is not shown.
+    let printed = |it: &Measurement| {
         let error = it.largest_error().filter(|_| is_timed(it.method));
-        error.map_or(f64::INFINITY, |error| (error / RESOLUTION).round())
+        let digits = |error| short(error).parse().unwrap_or(0.0);
+        error.map_or(f64::INFINITY, digits)
     };
     let mut methods: Vec<&mut Measurement> = methods.iter_mut().collect();
     methods.sort_by(|one, other| {
         let by_time = one.timing.median.total_cmp(&other.timing.median);
-        by_time.then(steps(one).total_cmp(&steps(other)))
+        by_time.then(printed(one).total_cmp(&printed(other)))
     });
     let mut least = f64::INFINITY;
     for one in methods {
-        one.on_front = steps(one) < least;
-        least = least.min(steps(one));
+        one.on_front = printed(one) < least;
+        least = least.min(printed(one));
     }
 }
 

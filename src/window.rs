@@ -42,6 +42,7 @@ mod taps;
 pub mod unsaved;
 mod viewport;
 pub mod widgets;
+pub mod words;
 
 #[cfg(not(target_family = "wasm"))]
 pub use display::{NoDisplay, restart_in_fit_environment};

@@ -8,7 +8,9 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use clap::Args;
-use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
+use clap::builder::{
+    OsStringValueParser, PossibleValuesParser, RangedU64ValueParser, TypedValueParser,
+};
 
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
@@ -17,9 +19,11 @@ use crate::drawing::Drawing;
 use crate::export;
 use crate::output::Output;
 use crate::prove::{PngPicture, read_png};
-use crate::scene::Scene;
+use crate::scene::{BUILT_IN, Scene, SceneRecord};
 use crate::shading::{METHODS, Method, methods};
-use crate::trade;
+use crate::vary::picture::Contender;
+use crate::vary::variable::Variable;
+use crate::{trade, vary};
 
 /// The options of `view`.
 #[derive(Args, Clone, Debug)]
@@ -234,23 +238,82 @@ pub struct RequiresOptions {
     pub json: bool,
 }
 
+/// The options of `vary`.
+#[derive(Args, Debug)]
+pub struct VaryOptions {
+    /// The scene and the view.
+    #[command(flatten)]
+    pub drawing: DrawingOptions,
+    /// The numbers that are varied, one after another, each over its range
+    #[arg(value_name = "KEY=FROM..TO")]
+    pub variables: Vec<String>,
+    /// The number of values of each key, 2 to 1000
+    #[arg(long, default_value = "21", value_name = "N", value_parser = RangedU64ValueParser::<usize>::new().range(2..=1000), allow_negative_numbers = true)]
+    pub steps: usize,
+    /// The methods, by their ids; also textbook-f32 and reference [default: gouraud-0.5, phong-0.5, phong-unit-vectors and these two]
+    #[arg(long, value_name = "ID,ID...", value_delimiter = ',', value_parser = PossibleValuesParser::new(Contender::all().map(|it| it.id)))]
+    pub methods: Option<Vec<String>>,
+    /// Measures the time of frames, for so long in all
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    pub seconds: Option<Duration>,
+    /// The folder for vary.json and vary.svg, created if absent
+    #[arg(short, long, value_name = "DIR", value_parser = path())]
+    pub output: Option<PathBuf>,
+    /// Prints one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl VaryOptions {
+    /// Loads the scene and checks the keys.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if the scene, a key or its range is wrong.
+    pub fn request(&self) -> Result<vary::Request, Failure> {
+        let mut options = self.drawing.clone();
+        let mut texts = self.variables.clone();
+        // The scene may be left out.
+        if let Some(first) = options.scene.to_str().filter(|it| it.contains('=')) {
+            texts.insert(0, first.to_owned());
+            options.scene = BUILT_IN[0].0.into();
+        }
+        let drawing = options.open(None)?;
+        let record = SceneRecord::of(&drawing.scene.world);
+        let variables = texts.iter().map(|text| Variable::parse(text, &record));
+        let variables: Vec<_> = variables
+            .collect::<Result<_, _>>()
+            .map_err(Failure::Usage)?;
+        if variables.is_empty() {
+            let says = "give KEY=FROM..TO, such as light.white.intensity=1..100";
+            return Err(Failure::Usage(anyhow!(says)));
+        }
+        let contenders = match &self.methods {
+            Some(ids) => {
+                let is_chosen = |it: &Contender| ids.iter().any(|id| id == it.id);
+                Contender::all().filter(is_chosen).collect()
+            }
+            None => Contender::usual(),
+        };
+        Ok(vary::Request {
+            drawing,
+            variables,
+            contenders,
+            steps: self.steps,
+            time: self.seconds,
+        })
+    }
+}
+
 /// The options of `extremes`.
 #[derive(Args, Debug)]
 pub struct ExtremesOptions {
     /// Proves only these extremes [default: all]
-    #[arg(value_name = "NAME", conflicts_with = "chart")]
+    #[arg(value_name = "NAME")]
     pub names: Vec<String>,
     /// Prints the names, each with a sentence about its scene, and proves nothing
-    #[arg(long, conflicts_with = "chart")]
-    pub list: bool,
-    /// Sweeps one number of a scene at a time instead, and shows the range in which f32, f64 and the renderer keep 0.05 level
     #[arg(long)]
-    pub chart: bool,
-    /// The folder for the charts, created if absent
-    #[arg(short, long, value_name = "DIR", value_parser = path())]
-    #[arg(requires = "chart", conflicts_with = "names")]
-    pub output: Option<PathBuf>,
-    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; `name` and `says` with --list; the curves with --chart
+    pub list: bool,
+    /// Prints a JSON array: `name`, `expected`, `observed` and `pass` of each extreme; `name` and `says` with --list
     #[arg(long)]
     pub json: bool,
     /// The SIMD level and the threads.

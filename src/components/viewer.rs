@@ -115,6 +115,8 @@ pub enum ViewMode {
     Error,
     /// The picture; a tint shows how each square was drawn.
     Tiles,
+    /// The picture by ambient, diffuse and specular lights alone, and by all.
+    Terms,
 }
 
 /// One side of a wipe.

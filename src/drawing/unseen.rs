@@ -1,4 +1,4 @@
-//! Why a picture shows no cuboid.
+//! Whether a picture shows all cuboids, and why it shows none.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
@@ -9,14 +9,8 @@ use crate::report::words::rounded;
 /// The places of the cuboids in a picture in which none is seen.
 pub fn reason(world: &World, view: &View) -> String {
     let lens = Lens::new(view);
-    let mut places = in_file_order::<(&Mesh, &Transform), _>(world, |(mesh, transform)| {
-        let transform = transform.turned(view.turned);
-        let axes = transform.axes();
-        let corners = mesh
-            .corners
-            .map(|corner| axes * corner + transform.position);
-        place(&lens, corners.map(|corner| lens.seen(corner)))
-    });
+    let corners = corners(world, view, &lens).into_iter();
+    let mut places: Vec<_> = corners.map(|corners| place(&lens, corners)).collect();
     let lie = if places.len() == 1 {
         "the cuboid lies"
     } else {
@@ -29,23 +23,59 @@ pub fn reason(world: &World, view: &View) -> String {
     format!("nothing is seen: {lie} {places}")
 }
 
-/// The place of a cuboid that is not seen. Its corners are relative to the eye, along right, up and forward.
-fn place(lens: &Lens, corners: [DVec3; 8]) -> &'static str {
-    let all = |is_there: &dyn Fn(&DVec3) -> bool| corners.iter().all(is_there);
+/// Whether the whole of every cuboid lies within the picture.
+pub fn shows_all(world: &World, view: &View) -> bool {
+    let lens = Lens::new(view);
+    let is_inside = |corner: &DVec3| {
+        let point = lens.homogeneous(*corner);
+        corner.z > lens.near && sides(&lens).iter().all(|side| side.dot(point) <= 0.0)
+    };
+    let corners = corners(world, view, &lens);
+    corners.as_flattened().iter().all(is_inside)
+}
+
+/// The height of all cuboids in the picture, in pixels, if they are before the eye.
+pub fn height(world: &World, view: &View) -> f64 {
+    let lens = Lens::new(view);
+    let corners = corners(world, view, &lens);
+    let rows = corners.as_flattened().iter();
+    let rows = rows.map(|corner| lens.pixel(lens.homogeneous(*corner))[1]);
+    let ends = rows.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], row| {
+        [least.min(row), most.max(row)]
+    });
+    (ends[1] - ends[0]).max(0.0)
+}
+
+/// The corners of each cuboid relative to the eye, along right, up and forward.
+pub fn corners(world: &World, view: &View, lens: &Lens) -> Vec<[DVec3; 8]> {
+    in_file_order::<(&Mesh, &Transform), _>(world, |(mesh, transform)| {
+        let transform = transform.turned(view.turned);
+        let axes = transform.axes();
+        mesh.corners
+            .map(|corner| lens.seen(axes * corner + transform.position))
+    })
+}
+
+/// For each side of the picture a vector whose product with a homogeneous point is positive outside of it.
+fn sides(lens: &Lens) -> [DVec3; 4] {
     let [right, top] = lens.middle.map(|pixels| pixels * lens.pitch);
-    // A point is outside of a side of the picture if its product with this vector is positive.
-    let sides = [
+    [
         dvec3(1.0, 0.0, -right),
         dvec3(-1.0, 0.0, -right),
         dvec3(0.0, 1.0, -top),
         dvec3(0.0, -1.0, -top),
-    ];
+    ]
+}
+
+/// The place of a cuboid that is not seen.
+fn place(lens: &Lens, corners: [DVec3; 8]) -> &'static str {
+    let all = |is_there: &dyn Fn(&DVec3) -> bool| corners.iter().all(is_there);
     let is_outside = |side: &DVec3| all(&|corner| side.dot(lens.homogeneous(*corner)) > 0.0);
     if all(&|corner| corner.z <= 0.0) {
         "behind the eye"
     } else if all(&|corner| corner.z <= lens.near) {
         "before the near plane"
-    } else if sides.iter().any(is_outside) {
+    } else if sides(lens).iter().any(is_outside) {
         "beside the picture"
     } else if all(&|corner| corner.z > lens.near) {
         "beside the picture or between the centres of pixels"

@@ -80,14 +80,34 @@ pub type Axis<'a> = (&'a str, Range<f64>);
 /// Those of the plotting library, which gives none in practice.
 pub fn on<'a>(
     area: &Area<'a>,
-    [below, left]: [u32; 2],
+    room: [u32; 2],
     letters: f64,
     axes: [Axis; 2],
 ) -> anyhow::Result<Chart<'a>> {
+    on_marked(area, room, letters, axes, None)
+}
+
+/// The places of the marks of an axis, and their labels.
+pub type Marks<'a> = (Vec<f64>, &'a dyn Fn(f64) -> String);
+
+/// As [`on`], with other marks on the axis below.
+///
+/// # Errors
+/// As [`on`].
+pub fn on_marked<'a>(
+    area: &Area<'a>,
+    [below, left]: [u32; 2],
+    letters: f64,
+    axes: [Axis; 2],
+    marks: Option<Marks>,
+) -> anyhow::Result<Chart<'a>> {
     let [x, y] = [axes[0].0, axes[1].0];
+    let (places, name) = marks.unwrap_or_else(|| (ticks(&axes[0].1), &label));
+    let places = [places, ticks(&axes[1].1)];
+    let mut places = places.into_iter();
     let [columns, rows] = axes.map(|(_, range)| {
-        let ticks = ticks(&range);
-        range.log_scale().with_key_points(ticks)
+        let places = places.next().unwrap_or_default();
+        range.log_scale().with_key_points(places)
     });
     let mut chart = ChartBuilder::on(area)
         .x_label_area_size(below)
@@ -102,7 +122,7 @@ pub fn on<'a>(
         .axis_desc_style(text_style(letters + 1.0, INK))
         .x_desc(x)
         .y_desc(y)
-        .x_label_formatter(&|value| label(*value))
+        .x_label_formatter(&|value| name(*value))
         .y_label_formatter(&|value| label(*value))
         .draw()?;
     Ok(chart)

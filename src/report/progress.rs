@@ -55,9 +55,12 @@ impl Monitor<'_> {
         let is_due = self.is_due.is_some_and(|is_due| is_due());
         if is_due {
             let mut has_paused = false;
-            poll_fn(|_| match mem::replace(&mut has_paused, true) {
-                true => Poll::Ready(()),
-                false => Poll::Pending,
+            poll_fn(|_| {
+                if mem::replace(&mut has_paused, true) {
+                    Poll::Ready(())
+                } else {
+                    Poll::Pending
+                }
             })
             .await;
         }

@@ -62,7 +62,6 @@ pub async fn time_here(
 ///
 /// # Errors
 /// If the process cannot be started or cannot measure.
-#[expect(clippy::unused_async, reason = "the other way to time a batch pauses")]
 pub async fn time_in_a_process(
     request: &Request,
     number: usize,

@@ -73,7 +73,7 @@ pub fn over(time: f64, budget: f64) -> String {
 pub fn choose(
     drawing: &Drawing,
     budget: f64,
-    time_batch: impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
+    time_batch: &impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
 ) -> anyhow::Result<Option<(Measurement, String)>> {
     let request = Request {
         drawing: Drawing {
@@ -86,6 +86,6 @@ pub fn choose(
         time: MEASURING_TIME,
         is_report: false,
     };
-    let measured = with_bar(async |monitor| measure(&request, &[], &time_batch, monitor).await)?;
+    let measured = with_bar(async |monitor| measure(&request, &[], time_batch, monitor).await)?;
     Ok(held(&measured, budget).map(|(one, text)| (one.clone(), text)))
 }

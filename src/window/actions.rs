@@ -1,16 +1,20 @@
 //! The keys that were pressed, and their actions. An action writes components of the World, or the state of the window alone.
 
+use std::sync::Arc;
+
 use egui::{Event, Key, Ui};
 
 use super::app::App;
 use super::controls;
-use super::inspector::Tab;
+use super::inspector::{Tab, entity_of};
 use super::keys::{self, Action, EXACT_SIDES};
 use super::pictures::{side_method, sides};
 use super::viewport::DIVIDER_MARGIN;
 use crate::components::ViewMode;
 use crate::files::write_numbered;
 use crate::output::encode_png;
+use crate::scene::SceneRecord;
+use crate::scene::key;
 use crate::trade::Measurement;
 
 impl App {
@@ -80,22 +84,44 @@ impl App {
                     .say_any(controls::orbit(world, azimuth, elevation));
             }
             Action::Zoom(steps) => self.desk.say_any(controls::zoom(world, steps)),
-            Action::ResetView => self.desk.say_any(controls::reset_view(world)),
+            Action::ShowAll => {
+                let size = self.canvas.size();
+                self.desk.say_any(controls::show_all(world, size));
+            }
             Action::Rotate => self.rotation.switch(world, self.desk.now),
             Action::Tab(tab) => {
                 let is_open = self.desk.tab == Some(tab);
                 self.desk.tab = (!is_open).then_some(tab);
             }
             Action::Step(steps) => self.desk.say_any(self.document.step_lesson(steps)),
-            Action::Undo => self.desk.say(self.document.undo()),
-            Action::Redo => self.desk.say(self.document.redo()),
+            Action::Undo | Action::Redo => self.travel(action == Action::Undo),
             Action::Save => self.save(false),
             Action::SaveAs => self.save(true),
             Action::Panel => self.desk.panel_folded ^= true,
             Action::Help => self.desk.help ^= true,
-            Action::Screenshot => self.screenshot(),
+            Action::Screenshot => self.save_pixels(&self.pixels.clone(), self.size),
+            Action::SavePicture => {
+                let shown = self.shown().into_owned();
+                self.save_pixels(&shown, self.canvas.size());
+            }
             Action::Close => self.close_uppermost(),
-            Action::Quit => self.desk.quits = true,
+            Action::Quit => self.quit(),
+        }
+    }
+
+    /// Undoes or redoes a step, and selects the entity that it changed.
+    fn travel(&mut self, is_undo: bool) {
+        let before = Arc::clone(&self.document.state);
+        let message = if is_undo {
+            self.document.undo()
+        } else {
+            self.document.redo()
+        };
+        self.desk.say(message);
+        let after = SceneRecord::of(&self.document.scene.world);
+        let changed = key::differences(&before, &after);
+        if let Some(place) = changed.iter().find_map(|key| entity_of(key, &after)) {
+            self.desk.selected = Some(place);
         }
     }
 
@@ -109,14 +135,25 @@ impl App {
         }
     }
 
-    /// Writes the window as it is seen into a new PNG file.
-    fn screenshot(&mut self) {
+    /// Writes pixels as they are seen into a new PNG file.
+    fn save_pixels(&mut self, pixels: &[u32], size: [usize; 2]) {
         let name = |number| format!("shadetrade-{number:03}.png");
-        let encoded = encode_png(&self.pixels, self.size).map_err(anyhow::Error::from);
+        let encoded = encode_png(pixels, size).map_err(anyhow::Error::from);
         let folder = &self.document.folder;
         match encoded.and_then(|file| write_numbered(folder, name, &file)) {
             Ok(path) => self.desk.say(format!("saved {}", path.display())),
             Err(error) => self.desk.say(format!("no picture saved: {error:#}")),
+        }
+    }
+
+    /// Quits; with unsaved edits at the second press.
+    fn quit(&mut self) {
+        self.desk.quits = self.desk.is_warned || !self.document.is_edited();
+        if !self.desk.quits {
+            self.desk.is_warned = true;
+            self.desk.say(
+                "There are unsaved edits. Ctrl S saves them; Q again quits and offers them at the next start.",
+            );
         }
     }
 

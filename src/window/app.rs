@@ -18,7 +18,7 @@ use hecs::{Ref, RefMut};
 
 use super::canvas::{Canvas, REST};
 use super::choice::Choice;
-use super::controls::Rotation;
+use super::controls::{self, Rotation};
 use super::desk::{Command, Desk, TURN};
 use super::document::Document;
 use super::file::INTERVAL;
@@ -333,6 +333,10 @@ impl App {
         match command {
             Command::Run(action) => self.run(action),
             Command::Worst(side) => self.explain_worst(Some(side)),
+            Command::StepBack => {
+                let size = self.canvas.size();
+                controls::step_back(&mut self.document.scene.world, size);
+            }
             Command::Open(scene) => match self.document.choose(*scene) {
                 Ok(message) => {
                     self.show_document();

@@ -7,15 +7,19 @@
 //!       +------------- ms     both axes are logarithmic
 //! ```
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
+use egui::{
+    Align, Align2, Color32, FontId, Layout, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType,
+    vec2,
+};
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 use hecs::World;
 
 use super::choice::Choice;
 use super::controls::choose_method;
+use super::desk::Desk;
 use super::keys::{Action, caption};
 use super::study::Study;
-use super::widgets::{GOURAUD, INK, PHONG, mode_ink, rounded, short};
+use super::widgets::{GOURAUD, INK, PHONG, mode_ink, offer, rounded, short};
 use crate::components::{ShadingMode, viewer};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
@@ -32,14 +36,17 @@ const CHART: f32 = 190.0;
 const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
                        the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
-                       line the budget. A click on a dot chooses its method. Errors above \
-                       one level are visible. Frames are drawn by all cores, or as many as --threads says; `trade` \
+                       line the budget. A click on a dot chooses its method. Below half \
+                       a level no byte changes by more than one, above one level some do. Frames are drawn by all cores, or as many as --threads says; `trade` \
                        uses one.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
+/// The words on the band of errors above one level, and their room beside other words, in points.
+const BAND: &str = "bytes off by 2 or more";
+const BAND_ROOM: f32 = 110.0;
 /// The least step of a clock that is told, in ms.
 const SEEN_STEP: f64 = 0.001;
 
@@ -54,23 +61,28 @@ fn place(one: &Measurement) -> [f64; 2] {
 }
 
 /// Shows the measured methods of this view. A click or Enter on a dot chooses one.
-pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
+pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, desk: &mut Desk) {
     let trade = &study.facts.trade;
     let method = choice.method(world);
     ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
         ui.set_min_height(SENTENCE);
         sentence_about(ui, trade.value.as_deref().unwrap_or_default(), method);
     });
-    let caption = ui.small(match (trade.is_current, study.progress()) {
-        (false, Some((step, _))) => step,
-        (false, None) if trade.value.is_none() => "times follow".to_owned(),
-        (false, None) => "measured before the last change; new times follow".to_owned(),
-        _ => {
-            let axes = "up: error, levels; right: ms a frame";
-            format!("{axes}{}", resolution(clock_step()))
-        }
+    ui.horizontal(|ui| {
+        let caption = ui.small(match (trade.is_current, study.progress()) {
+            (false, Some((step, _))) => step,
+            (false, None) if trade.value.is_none() => "times follow".to_owned(),
+            (false, None) => "measured before the last change; new times follow".to_owned(),
+            _ => {
+                let axes = "up: error, levels; right: ms a frame";
+                format!("{axes}{}", resolution(clock_step()))
+            }
+        });
+        caption.on_hover_text(CAPTION);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            offer(ui, desk, Action::Worst, false);
+        });
     });
-    caption.on_hover_text(CAPTION);
     let measured = trade.value.iter().flatten().cloned();
     let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
     let mut axes = axes().width(ui.available_width() - BESIDE);
@@ -96,10 +108,11 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
         let letters = FontId::proportional(10.0);
         ui.painter().text(at, align, text, letters, ink).right_top()
     };
-    let errors = "visible errors";
-    write(room.right_top(), Align2::RIGHT_TOP, errors, Color32::GRAY);
     let end = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
-    write(end + vec2(6.0, 0.0), Align2::LEFT_TOP, "Phong", PHONG);
+    let end = write(end + vec2(6.0, 0.0), Align2::LEFT_TOP, "Phong", PHONG);
+    if room.right() - end.x > BAND_ROOM {
+        write(room.right_top(), Align2::RIGHT_TOP, BAND, Color32::GRAY);
+    }
     for one in &known {
         let place = PlotPoint::from(place(one));
         let at = shown.transform.position_from_point(&place);
@@ -175,12 +188,12 @@ fn axes() -> Plot<'static> {
     plot.show_crosshair(false).y_axis_min_width(34.0)
 }
 
-/// Draws the band of visible errors, the staircase of best trades, and the dots and whiskers of the methods.
+/// Draws the band of errors above one level, the staircase of best trades, and the dots and whiskers of the methods.
 fn draw(plot: &mut PlotUi, known: &[Measurement]) {
-    let [_, seen] = logarithms((1.0, 2.0 * UNSEEN));
-    let visible = Span::new("", seen..=MOST.log10()).axis(Axis::Y);
-    let visible = visible.fill(Color32::from_rgb(52, 34, 34));
-    plot.span(visible.border_width(0.0));
+    let [_, least] = logarithms((1.0, 2.0 * UNSEEN));
+    let band = Span::new("", least..=MOST.log10()).axis(Axis::Y);
+    let band = band.fill(Color32::from_rgb(52, 34, 34));
+    plot.span(band.border_width(0.0));
     let line = |points: Vec<[f64; 2]>, ink: Color32| {
         let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)

@@ -18,8 +18,8 @@ use crate::trade::error_map::Scale;
 pub struct Comparison {
     /// Exact Phong, 0x00RRGGBB.
     pub exact: Vec<u32>,
-    /// The error against exact Phong in the colours of the narrowest scale that holds it.
-    pub error_map: Vec<u32>,
+    /// The error against exact Phong in the colours of the scale of files, and in those of the narrowest that holds it.
+    pub error_maps: [Vec<u32>; 2],
     /// The largest error, in levels of 255; `None` where nothing can be compared.
     pub error: Option<f64>,
 }
@@ -49,10 +49,11 @@ impl Comparison {
             errors.extend(metrics::compared(drawn, compared));
             exact_pixels.extend(exact.levels.into_iter().map(display_pixel));
         }
-        let scale = Scale::holding(largest.unwrap_or(0.0));
+        let scales = [Scale::WIDEST, Scale::holding(largest.unwrap_or(0.0))];
+        let map = |scale: Scale| errors.iter().map(|it| scale.color(*it)).collect();
         Ok(Comparison {
             exact: exact_pixels,
-            error_map: errors.into_iter().map(|it| scale.color(it)).collect(),
+            error_maps: scales.map(map),
             error: largest,
         })
     }

@@ -8,10 +8,11 @@ use hecs::World;
 
 use super::keys::TOLERANCES;
 use crate::components::{
-    Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, ViewMode,
+    Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, View, ViewMode,
     active_camera, common, get, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
+use crate::drawing::unseen::shows_all;
 use crate::report::words::counted;
 use crate::shading::Method;
 
@@ -81,6 +82,9 @@ pub fn choose_method(world: &mut World, method: Method) {
     }
 }
 
+/// From this tolerance on, in levels, squares are plain to see.
+const PLAIN: f64 = 64.0;
+
 /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
 pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
     let present = viewer(world).tolerance;
@@ -91,7 +95,7 @@ pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
         tolerances.rfind(|next| *next < present)
     };
     let limit = if steps > 0 {
-        "the keys end here; the slider goes on"
+        "255 levels are the coarsest tolerance"
     } else {
         "the tolerance is 0 already"
     };
@@ -99,7 +103,7 @@ pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
         return Some(limit.to_owned());
     };
     set_tolerance(world, next);
-    None
+    (next >= PLAIN).then(|| "look around the highlight: squares show".to_owned())
 }
 
 /// Draws within this many levels. The sides of a wipe that had the tolerance before follow.
@@ -169,10 +173,19 @@ pub fn zoom(world: &mut World, steps: i32) -> Option<String> {
     change_orbit(world, &limit, |orbit| orbit.zoomed(steps, &limits))
 }
 
-/// Undoes orbit, zoom and rotation.
-pub fn reset_view(world: &mut World) -> Option<String> {
-    viewer_mut(world).turned = 0;
-    change_orbit(world, "the view is reset", |_| Orbit::default())
+/// Undoes orbit, zoom and rotation. Steps back until a picture of `size` pixels shows all cuboids.
+pub fn show_all(world: &mut World, size: [usize; 2]) -> Option<String> {
+    let orbit = get::<Orbit>(world, active_camera(world));
+    let turned = std::mem::take(&mut viewer_mut(world).turned);
+    change_orbit(world, "", |_| Orbit::default());
+    step_back(world, size);
+    let is_same = turned == 0 && get::<Orbit>(world, active_camera(world)) == orbit;
+    is_same.then(|| "the view is reset".to_owned())
+}
+
+/// Moves the camera away until a picture of `size` pixels shows all cuboids.
+pub fn step_back(world: &mut World, size: [usize; 2]) {
+    while !shows_all(world, &View::of(world, size)) && zoom(world, -1).is_none() {}
 }
 
 /// Changes the orbit of the active camera. If nothing changes, `limit` was reached.

@@ -21,6 +21,8 @@ pub struct Desk {
     /// Whether times are shown; they are the machine's, and differ from run to run.
     pub shows_times: bool,
     pub quits: bool,
+    /// Whether it was said that edits are not saved.
+    pub is_warned: bool,
     pub help: bool,
     pub panel_folded: bool,
     /// Whether the inspector has a room of its own beside the picture.
@@ -49,6 +51,8 @@ pub enum Command {
     /// Explains the worst pixel of a side of a wipe, left (0) or right (1).
     Worst(usize),
     Open(Box<Scene>),
+    /// Moves the camera away until what was added is in sight.
+    StepBack,
     RestoreEdits,
     DiscardEdits,
 }

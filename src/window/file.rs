@@ -13,18 +13,20 @@ use crate::scene::{self, Scene, SceneRecord};
 /// The time from one look at the file to the next.
 pub const INTERVAL: Duration = Duration::from_millis(200);
 
+/// The stamp of the file; `None` while there is none.
+type Seen = Option<Stamp>;
+
 /// The state of the scene's file, as it was seen last; or of the text of a built-in scene.
 pub struct SceneFile {
     /// The name of the next new file, without its ending.
     pub new_name: String,
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
-    /// `None` while there is no file.
-    seen: Option<Stamp>,
+    seen: Seen,
     /// Whether the file holds no valid scene.
     is_wrong: bool,
     /// A new stamp, seen once. A second look confirms it.
-    doubted: Option<Option<Stamp>>,
+    doubted: Option<Seen>,
     next: Duration,
 }
 

@@ -7,6 +7,7 @@ use std::iter;
 
 use egui::{Grid, Ui};
 
+pub use self::scene::entity_of;
 use super::app::App;
 use super::study::Study;
 use super::widgets::{INK, scrolled, short, wait};

@@ -39,8 +39,8 @@ pub enum Action {
     Orbit(f64, f64),
     /// Steps towards the target.
     Zoom(i32),
-    /// Undoes orbit, zoom and rotation.
-    ResetView,
+    /// Undoes orbit, zoom and rotation, and steps back until all cuboids are in sight.
+    ShowAll,
     /// Starts and stops the rotation of the cuboids.
     Rotate,
     /// Opens and folds the tab of the inspector.
@@ -56,13 +56,17 @@ pub enum Action {
     Help,
     /// Writes the window into a PNG file.
     Screenshot,
+    /// Writes the picture alone into a PNG file.
+    SavePicture,
     /// Closes the uppermost thing that can be closed.
     Close,
     Quit,
 }
 
 /// The tolerances that keys step through, in levels of 255.
-pub const TOLERANCES: [f64; 7] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
+pub const TOLERANCES: [f64; 12] = [
+    0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0,
+];
 /// One press of an arrow moves the camera so far about its target, in degrees.
 const ORBIT_STEP: f64 = 2.0;
 
@@ -110,7 +114,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ]),
         ("zoom, or wheel", "", &[(NO, Key::Plus, Action::Zoom(1)), (NO, Key::Equals, Action::Zoom(1)), (NO, Key::Minus, Action::Zoom(-1))]),
         ("turn the cuboids", "The cuboids turn about their own x axes.", &[(NO, Key::Space, Action::Rotate)]),
-        ("reset view", "The camera and the cuboids go back to their places in the file.", &[(NO, Key::Home, Action::ResetView)]),
+        ("show all", "The camera and the cuboids go back to their places in the file, and the camera further away until every cuboid is in sight.", &[(NO, Key::Home, Action::ShowAll)]),
     ]),
     ("View", &[
         ("picture", "The picture as it is shaded.", &[(NO, Key::F2, Action::View(ViewMode::Picture))]),
@@ -118,8 +122,9 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Action::WipeExact)]),
         ("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
         ("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),
+        ("terms", "The ambient, the diffuse and the specular term of the model, and their sum.", &[(NO, Key::F7, Action::View(ViewMode::Terms))]),
         ("blink (hold)", "While this is held, exact Phong and the picture take turns. In a wipe its two sides take turns.", &[(NO, Key::B, Action::Blink)]),
-        ("worst pixel", "Shows why the worst pixel errs.", &[(NO, Key::Y, Action::Worst)]),
+        ("why?", "Explains the worst pixel: the cause of its error, and every number.", &[(NO, Key::Y, Action::Worst)]),
         ("move the pixel", "", &[
             (SHIFT, Key::ArrowLeft, Action::Probe(-1, 0)), (SHIFT, Key::ArrowRight, Action::Probe(1, 0)),
             (SHIFT, Key::ArrowUp, Action::Probe(0, -1)), (SHIFT, Key::ArrowDown, Action::Probe(0, 1)),
@@ -139,6 +144,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("left panel", "Folds and opens the panel on the left.", &[(NO, Key::I, Action::Panel)]),
         ("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
         ("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
+        ("save picture", "Writes the picture alone, the error map or the wipe into a PNG file.", &[(SHIFT, Key::F12, Action::SavePicture)]),
         ("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Action::Close)]),
         ("quit", "Ends the program.", &[(NO, Key::Q, Action::Quit)]),
     ]),

@@ -13,11 +13,12 @@ use super::desk::Desk;
 use super::facts::Facts;
 use super::inspector::{Tab, inspector};
 use super::keys::{Action, BINDINGS, Binding, caption_of};
-use super::lesson::sentence;
+use super::lesson::caption;
 use super::panel::panel;
 use super::study::Study;
 use super::tags::side_name;
 use super::widgets::{BAD, GOOD, INK, scrolled, short};
+use super::words::{WORDS, about};
 use crate::components::{Side, ViewMode, Viewer};
 use crate::shading::Method;
 use crate::trade::verdict::method_name;
@@ -27,6 +28,8 @@ const LEAST: f32 = 213.0;
 const USUAL: f32 = 300.0;
 /// The width of a window, in points, from which on the inspector has a room of its own.
 const WIDE: f32 = 1200.0;
+/// The width of the words in the help, in points.
+const WORDS_WIDTH: f32 = 260.0;
 /// The width of a folded side.
 const FOLDED: f32 = 22.0;
 
@@ -34,8 +37,6 @@ const METHOD: &str = "The method on screen.";
 const TIME: &str = "The median time of a frame on all cores, or as many as --threads says, without the window around it; that of \
                     the last frame until it is measured.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
-const PROVEN: &str = "Pixels whose error against the exact evaluation of their own mode is proven to be within the tolerance, \
-                      or within 0.05 if that is 0.";
 
 impl App {
     /// Lays out the whole window, lets keys, widgets and the mouse write into the World, and notes the changes.
@@ -44,10 +45,6 @@ impl App {
         self.desk.has_room = width >= WIDE;
         self.take_keys(ui);
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
-        if !self.document.scene.lesson.is_empty() {
-            let (document, desk) = (&self.document, &mut self.desk);
-            Panel::bottom("lesson").show_inside(ui, |ui| sentence(ui, document, desk));
-        }
         let usual = USUAL.min(width / 2.0);
         let most = if self.desk.has_room { 3.0 } else { 2.0 };
         // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
@@ -67,6 +64,10 @@ impl App {
             right.show_inside(ui, |ui| inspector(ui, self, false));
         } else if is_opened(ui, Panel::right("drawer"), "⏴", "Opens the inspector.") {
             self.desk.tab = self.desk.tab.or(Some(Tab::Pixel));
+        }
+        if !self.document.scene.lesson.is_empty() {
+            let (document, desk) = (&self.document, &mut self.desk);
+            Panel::top("lesson").show_inside(ui, |ui| caption(ui, document, desk));
         }
         self.viewport(ui);
         if !self.desk.has_room && self.desk.tab.is_some() {
@@ -173,10 +174,10 @@ fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f
         let mode = method.map(|shown| Method::of(shown.mode, 0.0));
         let exact = mode.map_or("its exact mode".to_owned(), method_name);
         let text = format!("{share} proven within {} of {exact}", it.limit);
-        fact(text, ink, PROVEN, Sense::hover());
+        fact(text, ink, about("proven"), Sense::hover());
     } else if study.is_live() {
         let text = "not proven yet".to_owned();
-        fact(text, Color32::GRAY, PROVEN, Sense::hover());
+        fact(text, Color32::GRAY, about("proven"), Sense::hover());
     }
     let is_timed = time.is_none() || study.facts.measured_time(method).is_some();
     if study.is_live() && !(comparison.is_current && is_timed) {
@@ -189,8 +190,8 @@ fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f
 fn help(ui: &Ui) -> bool {
     let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(Vec2::ZERO);
     let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
-        ui.set_width(room.x.min(540.0));
-        ui.heading("Keys");
+        ui.set_width(room.x.min(560.0 + WORDS_WIDTH));
+        ui.heading("Keys and words");
         ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
         ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
         ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
@@ -202,6 +203,15 @@ fn help(ui: &Ui) -> bool {
                 key_table(ui, left);
                 ui.add_space(16.0);
                 key_table(ui, right);
+                ui.add_space(16.0);
+                ui.vertical(|ui| {
+                    ui.set_width(WORDS_WIDTH);
+                    ui.strong("Words");
+                    for (word, says) in WORDS {
+                        ui.label(word);
+                        ui.weak(says);
+                    }
+                });
             });
         });
     });

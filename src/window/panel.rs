@@ -2,7 +2,10 @@
 //!
 //! It shows widgets for components of the World, and writes their new values.
 
-use egui::{CollapsingHeader, ComboBox, Grid, RichText, ScrollArea, TextWrapMode, Ui};
+use egui::{
+    CollapsingHeader, ComboBox, Grid, PopupCloseBehavior, RichText, ScrollArea, TextEdit,
+    TextWrapMode, Ui,
+};
 use hecs::{Entity, World};
 
 use super::app::App;
@@ -15,20 +18,14 @@ use super::facts::Facts;
 use super::inspector::Tab;
 use super::keys::{Action, EXACT_SIDES, caption, keys};
 use super::widgets::{action_button, color_button, number, offer, slider};
+use super::words::about;
 use crate::components::range::{self, Milliseconds, Strength};
 use crate::components::{
     Camera, Light, LightKind, Name, Projection, Segments, ShadingMode, Side, ViewMode, Viewer,
     common, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
-use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene};
-
-const TOLERANCE: [&str; 3] = [
-    "tolerance",
-    "[ ]",
-    "The largest error of a pixel against the exact evaluation of its mode, in levels of 255. \
-     A coarser tolerance is faster, and 0 is exact.",
-];
+use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence};
 
 const SEGMENTS: [&str; 3] = [
     "segments",
@@ -38,12 +35,6 @@ const SEGMENTS: [&str; 3] = [
 
 /// The height of the outcome, in points: room for two lines, so that the rows below do not move.
 const OUTCOME: f32 = 34.0;
-const BUDGET: [&str; 3] = [
-    "budget, ms",
-    "[ ]",
-    "The longest time that a frame may take. The most exact method that keeps it is chosen.",
-];
-
 /// The room of a light's colour, strength and key, in points.
 const OF_LIGHT: f32 = 112.0;
 
@@ -62,7 +53,7 @@ pub fn panel(ui: &mut Ui, app: &mut App) {
     } = app;
     let world = &mut document.scene.world;
     if desk.shows_times {
-        chart(ui, study, choice, world);
+        chart(ui, study, choice, world, desk);
     }
     section(ui, "Shading", |ui| {
         shading_rows(ui, world, choice, &study.facts, time, desk);
@@ -111,14 +102,16 @@ fn shading_rows(
     let Some(budget) = budget else {
         let mut changed = tolerance;
         let least = Viewer::LEAST_TOLERANCE;
-        slider(ui, TOLERANCE, &mut changed, 0.0..=255.0, least);
+        let words = ["tolerance", "[ ]", about("tolerance")];
+        slider(ui, words, &mut changed, 0.0..=255.0, least);
         if changed != tolerance {
             set_tolerance(world, if changed < least { 0.0 } else { changed });
         }
         return;
     };
     let mut changed = budget;
-    slider(ui, BUDGET, &mut changed, Milliseconds::RANGE, 0.001);
+    let words = ["budget, ms", "[ ]", about("budget")];
+    slider(ui, words, &mut changed, Milliseconds::RANGE, 0.001);
     if changed != budget {
         choice.set_budget(world, Some(changed));
     }
@@ -162,12 +155,12 @@ fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
             LightKind::Diffuse => "Feeds the diffuse term, max(0, n.l).",
             LightKind::Specular => "Feeds the specular term, max(0, o.r)^shininess.",
         });
-    color_button(ui, &mut light.color);
-    let says = "Strength of the light, 0 to 1e30.";
-    number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
     let is_named = |it: &Action| matches!(it, Action::LightNamed(own) if *own == name.0);
     let named = keys().map(|key| key.2).find(is_named);
     ui.weak(caption(named.unwrap_or(Action::Light(place))));
+    color_button(ui, &mut light.color);
+    let says = "Intensity of the light, 0 to 1e30.";
+    number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
 }
 
 /// The ways to show the picture.
@@ -185,6 +178,7 @@ fn view_rows(ui: &mut Ui, viewer: &Viewer, desk: &mut Desk) {
             Action::WipeExact,
             Action::View(ViewMode::Error),
             Action::View(ViewMode::Tiles),
+            Action::View(ViewMode::Terms),
         ] {
             offer(ui, desk, action, Some(action) == shown);
         }
@@ -226,46 +220,74 @@ fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
     (viewer.camera, viewer.projection) = (Some(active), projection);
     ui.horizontal_wrapped(|ui| {
         offer(ui, desk, Action::Rotate, turns);
-        offer(ui, desk, Action::ResetView, false);
+        offer(ui, desk, Action::ShowAll, false);
     });
 }
 
 /// The list of scenes, and the scene's file.
 fn scene_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
-    let mut chosen = None;
     let scenes = ComboBox::from_id_salt("scene").selected_text(document.scene.name.clone());
-    scenes.width(ui.available_width() - 8.0).show_ui(ui, |ui| {
-        for (name, _) in BUILT_IN.iter().chain(LESSONS).chain(EXTREMES) {
-            if ui
-                .selectable_label(document.scene.name == *name, *name)
-                .clicked()
-            {
-                chosen = Some(Scene::load(Some(name)));
-            }
-        }
-    });
-    match chosen {
+    let scenes = scenes.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let scenes = scenes.width(ui.available_width() - 8.0).height(400.0);
+    let chosen = scenes.show_ui(ui, |ui| scene_list(ui, &document.scene.name));
+    match chosen.inner.flatten().map(|name| Scene::load(Some(name))) {
         Some(Ok(scene)) => desk.commands.push(Command::Open(Box::new(scene))),
         Some(Err(error)) => desk.say(error.to_string()),
         None => {}
     }
-    ui.horizontal(|ui| {
-        let label = ui.label("new file").on_hover_text(NEW_NAME).id;
-        let field = ui.text_edit_singleline(&mut document.file.new_name);
-        field.on_hover_text(NEW_NAME).labelled_by(label);
-    });
     ui.horizontal_wrapped(|ui| {
         for action in [
             Action::Tab(Tab::Scene),
             Action::Undo,
             Action::Redo,
             Action::Save,
-            Action::SaveAs,
             Action::Help,
         ] {
             offer(ui, desk, action, false);
         }
     });
+    ui.horizontal(|ui| {
+        offer(ui, desk, Action::SaveAs, false);
+        let field = ui.text_edit_singleline(&mut document.file.new_name);
+        field.on_hover_text(NEW_NAME);
+    });
+}
+
+/// Lays out the built-in scenes, lessons and extremes whose name or sentence has the typed words. Returns the chosen name.
+fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
+    let id = ui.id().with("search");
+    let mut words: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    ui.add(TextEdit::singleline(&mut words).hint_text("search"));
+    let mut chosen = None;
+    for (group, scenes) in [
+        ("scenes", &BUILT_IN[..]),
+        ("lessons", LESSONS),
+        ("extremes", EXTREMES),
+    ] {
+        ui.strong(group);
+        for (name, text) in scenes {
+            let says = first_sentence(text);
+            let lower = format!("{name} {says}").to_lowercase();
+            if words
+                .split_whitespace()
+                .any(|word| !lower.contains(&word.to_lowercase()))
+            {
+                continue;
+            }
+            let row = ui
+                .selectable_label(open == *name, *name)
+                .on_hover_text(says);
+            if row.clicked() {
+                chosen = Some(*name);
+                ui.close();
+            }
+        }
+    }
+    if chosen.is_some() {
+        words.clear();
+    }
+    ui.data_mut(|data| data.insert_temp(id, words));
+    chosen
 }
 
 /// A section of the panel that can be folded.

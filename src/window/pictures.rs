@@ -9,7 +9,7 @@ use fearless_simd::Level;
 use hecs::World;
 use web_time::Instant;
 
-use crate::components::{ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
+use crate::components::{Light, LightKind, ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
 use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
 use crate::memory::{self, OutOfMemory};
 use crate::shading::{Method, SquareKind};
@@ -37,6 +37,8 @@ pub struct Pictures {
     levels: Frame,
     /// Left and right of the divider, as far as the renderer draws them; 0x00RRGGBB.
     pub sides: [Vec<u32>; 2],
+    /// The picture by one kind of lights each, and by all; in quarters.
+    pub terms: Vec<u32>,
     /// The milliseconds of the last frame; `None` in a wipe that draws a side.
     pub time: Option<f64>,
 }
@@ -48,6 +50,7 @@ impl Pictures {
             frame: Frame::new(Keep::Display, workers),
             levels: levels(level),
             sides: Default::default(),
+            terms: Vec::new(),
             time: None,
         }
     }
@@ -78,6 +81,10 @@ impl Pictures {
             return Ok(());
         }
         self.sides = Default::default();
+        self.terms = Vec::new();
+        if viewer.show == ViewMode::Terms {
+            self.terms = terms(world, view, &mut self.frame)?;
+        }
         let start = Instant::now();
         systems::draw(world, view, &mut self.frame)?;
         self.time = Some(start.elapsed().as_secs_f64() * 1e3);
@@ -93,6 +100,45 @@ impl Pictures {
         tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
         pixels
     }
+}
+
+/// The kinds of lights whose terms a quarter of the picture shows, row by row from the top; `None` is their sum.
+pub const QUARTERS: [Option<LightKind>; 4] = [
+    Some(LightKind::Ambient),
+    Some(LightKind::Diffuse),
+    Some(LightKind::Specular),
+    None,
+];
+
+/// The picture at half its size by the lights of each of [`QUARTERS`], in one picture of the whole size.
+fn terms(world: &mut World, view: &View, frame: &mut Frame) -> Result<Vec<u32>, OutOfMemory> {
+    let [width, height] = view.size;
+    let size = view.size.map(|side| side.div_ceil(2));
+    let mut pixels = memory::reserve_pixels(view.size)?;
+    pixels.resize(width * height, 0);
+    for (quarter, kind) in QUARTERS.into_iter().enumerate() {
+        let lights = world.query_mut::<&mut Light>().into_iter();
+        let put_out = |light: &mut Light| {
+            let was_on = light.on;
+            light.on &= kind.is_none_or(|kind| light.kind == kind);
+            was_on
+        };
+        let were_on: Vec<bool> = lights.map(put_out).collect();
+        let drawn = systems::draw(world, &View { size, ..*view }, frame);
+        let lights = world.query_mut::<&mut Light>().into_iter();
+        lights
+            .zip(were_on)
+            .for_each(|(light, was_on)| light.on = was_on);
+        drawn?;
+        let [left, top] = [quarter % 2 * size[0], quarter / 2 * size[1]];
+        let lines = pixels.chunks_exact_mut(width).skip(top);
+        for (line, drawn) in lines.zip(frame.pixels().chunks_exact(size[0])) {
+            let line = &mut line[left..];
+            let count = line.len().min(size[0]);
+            line[..count].copy_from_slice(&drawn[..count]);
+        }
+    }
+    Ok(pixels)
 }
 
 /// An empty frame for the squares of the picture.

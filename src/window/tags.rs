@@ -7,6 +7,7 @@ use super::desk::{Command, Desk};
 use super::facts::Facts;
 use super::pictures::side_method;
 use super::widgets::{INK, short};
+use super::words::about;
 use crate::components::{ShadingMode, Side, viewer, viewer_mut};
 use crate::report::words::capital;
 use crate::shading::{METHODS, Method};
@@ -15,7 +16,6 @@ use crate::trade::verdict::method_name;
 
 /// The distance of a tag from the edges of the picture, in points.
 const GAP: f32 = 9.0;
-const KEPT: &str = "The share of the highlight's light that is where exact Phong has it.";
 
 const SHORTCUT: &str =
     "The assignment's shortcut: n, l and o are interpolated as unit vectors and not normalised.";
@@ -88,7 +88,8 @@ fn price_rows(ui: &mut Ui, price: &Measurement, is_current: bool) -> bool {
     ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
     if let Some(kept) = price.highlight_kept {
         let text = format!("highlight kept {:.0} %", 100.0 * kept);
-        ui.colored_label(INK, text).on_hover_text(KEPT);
+        ui.colored_label(INK, text)
+            .on_hover_text(about("highlight kept"));
     }
     let worst = price.largest_error().map(|error| {
         let text = format!("worst pixel {} of 255", short(error));

@@ -12,12 +12,13 @@ use super::canvas::Canvas;
 use super::controls::{orbit, zoom};
 use super::inspector::Tab;
 use super::lights::{discs, draw_arrows};
-use super::pictures::{Pictures, TINTS};
+use super::pictures::{QUARTERS, TINTS};
 use super::study::Study;
 use super::tags::tags;
 use super::unsaved::edits_bar;
-use super::widgets::{BAD, wait};
-use crate::components::{ViewMode, Viewer, viewer, viewer_mut};
+use super::widgets::{BAD, INK, tag, wait};
+use crate::components::{Lens, LightKind, View, ViewMode, Viewer, viewer, viewer_mut};
+use crate::drawing::unseen;
 use crate::paint::color;
 use crate::shading::SquareKind;
 use crate::trade::error_map::{EDGE, NOTHING, Scale};
@@ -65,12 +66,45 @@ impl App {
         if desk.tab == Some(Tab::Scene) {
             discs(ui, world, &view, canvas, desk);
         }
-        if let Some(at) = clicked {
+        // Its quarters have other pixels.
+        let is_whole = viewer(world).show != ViewMode::Terms;
+        if let Some(at) = clicked.filter(|_| is_whole) {
             desk.has_clicked = true;
             let pixel = canvas.pixel_at(at);
             self.probe(pixel);
         }
+        self.draw_subjects(ui);
         self.draw_marks(ui);
+    }
+
+    /// Draws the names of the terms, the outline of the selected cuboid, and the reason why nothing is seen.
+    fn draw_subjects(&self, ui: &Ui) {
+        let (world, canvas) = (&self.document.scene.world, &self.canvas);
+        let view = self.choice.view(world, canvas.size());
+        let is_terms = viewer(world).show == ViewMode::Terms;
+        if is_terms {
+            for (quarter, kind) in QUARTERS.into_iter().enumerate() {
+                let name = kind.map_or("sum", LightKind::name);
+                let share = vec2((quarter % 2) as f32, (quarter / 2) as f32) / 2.0;
+                let corner = canvas.place.min + canvas.place.size() * share + vec2(12.0, 10.0);
+                tag(ui.painter(), Align2::LEFT_TOP, corner, name, INK);
+            }
+        } else if self.desk.tab == Some(Tab::Scene)
+            && let Some(("cuboid", place)) = self.desk.selected
+        {
+            outline(ui, world, &view, canvas, place);
+        }
+        let is_empty = canvas.pictures.frame.counts().covered_pixels == 0;
+        if is_empty && canvas.drawn.is_some() && !is_terms {
+            let at = canvas.place.center();
+            tag(
+                ui.painter(),
+                Align2::CENTER_CENTER,
+                at,
+                &unseen::reason(world, &view),
+                BAD,
+            );
+        }
     }
 
     /// Draws the marks at the explained pixel, the legend, the offer of edits, and the error in the scene's file.
@@ -107,7 +141,7 @@ impl App {
             let corner = corner.fixed_pos(canvas.place.left_bottom());
             corner.constrain_to(canvas.place).show(ui.ctx(), |ui| {
                 ui.set_max_width(canvas.place.width());
-                ground.show(ui, |ui| legend(ui, &viewer, &canvas.pictures, study));
+                ground.show(ui, |ui| legend(ui, &viewer, canvas, study));
             });
         }
         edits_bar(ui, document, canvas.place, desk);
@@ -117,6 +151,27 @@ impl App {
             ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
                 ground.show(ui, |ui| ui.label(text))
             });
+        }
+    }
+}
+
+/// Draws the edges of a cuboid, unless a corner is before the near plane.
+fn outline(ui: &Ui, world: &World, view: &View, canvas: &Canvas, place: usize) {
+    let lens = Lens::new(view);
+    let cuboids = unseen::corners(world, view, &lens);
+    let Some(corners) = cuboids.get(place) else {
+        return;
+    };
+    if corners.iter().any(|corner| corner.z <= lens.near) {
+        return;
+    }
+    let places = corners.map(|corner| canvas.place_at(lens.pixel(lens.homogeneous(corner))));
+    // Corners whose numbers differ in one bit are joined by an edge.
+    for (one, bit) in (0..8).flat_map(|corner| [1, 2, 4].map(|bit| (corner, bit))) {
+        if one & bit == 0 {
+            let line = [places[one], places[one | bit]];
+            let ink = Color32::from_white_alpha(150);
+            ui.painter().line_segment(line, (1.5, ink));
         }
     }
 }
@@ -171,11 +226,11 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
 }
 
 /// The meaning of the colours of the error map or of squares.
-fn legend(ui: &mut Ui, viewer: &Viewer, pictures: &Pictures, study: &Study) {
+fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &mut Canvas, study: &Study) {
     if viewer.show == ViewMode::Error {
-        return error_legend(ui, viewer.tolerance, study);
+        return error_legend(ui, viewer.tolerance, canvas, study);
     }
-    let counts = pictures.frame.counts().squares;
+    let counts = canvas.pictures.frame.counts().squares;
     let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
     ui.label("squares, by the colour in them");
     for ((kind, tint), count) in kinds {
@@ -191,12 +246,12 @@ fn legend(ui: &mut Ui, viewer: &Viewer, pictures: &Pictures, study: &Study) {
 }
 
 /// The scale of the error map, with marks at the tolerance and at the largest error.
-fn error_legend(ui: &mut Ui, tolerance: f64, study: &Study) {
+fn error_legend(ui: &mut Ui, tolerance: f64, canvas: &mut Canvas, study: &Study) {
     ui.label("error against exact Phong, levels");
     let comparison = study.facts.comparison.current();
     let largest = comparison.and_then(|it| it.error);
-    let known = comparison.map(|_| Scale::holding(largest.unwrap_or(0.0)));
-    let scale = known.unwrap_or(Scale::WIDEST);
+    let known = comparison.filter(|_| canvas.stretches);
+    let scale = known.map_or(Scale::WIDEST, |_| Scale::holding(largest.unwrap_or(0.0)));
     let size = vec2(ui.available_width().min(260.0), 26.0);
     let (place, response) = ui.allocate_exact_size(size, Sense::hover());
     response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");
@@ -209,6 +264,9 @@ fn error_legend(ui: &mut Ui, tolerance: f64, study: &Study) {
         let x = place.min.x + share * (place.width() - place.height());
         painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
     }
+    let says = "Spreads the colours over the errors of this picture. Else they are those of the files of trade.";
+    ui.checkbox(&mut canvas.stretches, "stretch")
+        .on_hover_text(says);
     wait(ui, study, &study.facts.comparison);
     swatch(ui, EDGE, "another face is seen");
     swatch(ui, NOTHING, "nothing is drawn");

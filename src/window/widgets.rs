@@ -136,7 +136,8 @@ pub fn slider(
         let slider = slider.smallest_positive(smallest).custom_parser(typed);
         let response = ui.add(slider.custom_formatter(format_number));
         keep_digits(value, before);
-        if response.on_hover_text(says).dragged() {
+        // A tooltip would hide the rows that change.
+        if response.dragged() {
             // As fine as a hand moves a slider.
             *value = rounded(*value, 1).clamp(least, most);
         }

@@ -2,7 +2,7 @@
 
 mod cameras;
 mod certificate;
-mod charts;
+
 mod cli;
 mod extremes;
 mod golden;
@@ -18,4 +18,5 @@ mod stability;
 mod support;
 mod systems;
 mod trade;
+mod vary;
 mod window;

@@ -1,71 +1,332 @@
-//! The stability charts: f32 leaves its limit where paper predicts, and the renderer never does.
+//! `vary`: ranges end where they are said to end, f32 leaves its limit where paper predicts, and the renderer never does.
 //!
-//! `SHADETRADE_EXTREMES=full` draws the pictures in the size of the command.
-
-use std::sync::LazyLock;
+//! `SHADETRADE_EXTREMES=full` draws larger pictures.
 
 use fearless_simd::Level;
-use serde::Deserialize;
-use shadetrade::extremes::stability::curve::{CurvePoint, EVALUATIONS, ErrorCurve, table};
-use shadetrade::extremes::stability::{SIZE, measure, sweeps::SWEEPS};
-use shadetrade::output::json;
+use glam::DVec3;
+use serde_json::Value;
+use shadetrade::components::LightKind;
+use shadetrade::components::ShadingMode::{Gouraud, Phong};
+use shadetrade::drawing::Drawing;
 use shadetrade::prove::Verdict::{self, Proven, Refuted};
-use shadetrade::report::{Monitor, finished};
+use shadetrade::report::{CANCELLED, Monitor, finished};
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::shading::{LIMIT_0, Method};
+use shadetrade::vary::picture::{Contender, Error, REFERENCE, TEXTBOOK, errors};
+use shadetrade::vary::variable::Variable;
+use shadetrade::vary::{Report, Request, measure};
 
+use crate::cli;
 use crate::extremes::is_full;
+use crate::support::records;
 
-static CURVES: LazyLock<Vec<ErrorCurve>> = LazyLock::new(|| {
-    let size = if is_full() { SIZE } else { [16, 12] };
-    finished(measure(size, Level::new(), Monitor::NONE)).expect("every value makes a scene")
-});
+const SIZE: [usize; 2] = [40, 30];
 
-/// Asserts the verdict on an evaluation for all values of a number in this range.
-#[track_caller]
-fn assert_all(verdict: Verdict, evaluation: &str, number: &str, [from, to]: [f64; 2]) {
-    let is_chosen = |it: &&ErrorCurve| it.evaluation == evaluation && it.number == number;
-    let curve = CURVES.iter().find(is_chosen).expect("it is swept");
-    let within = |it: &&CurvePoint| (from..=to).contains(&it.value);
-    let found: Vec<_> = curve.points.iter().filter(within).collect();
-    let is_right = !found.is_empty() && found.iter().all(|it| it.verdict == verdict);
-    assert!(is_right, "{evaluation}, {number}: {found:?}");
+fn scene(text: &str) -> SceneRecord {
+    SceneRecord::of(&Scene::parse("varied", text).expect("a scene").world)
+}
+
+fn default_record() -> SceneRecord {
+    SceneRecord::of(&Scene::load(None).expect("it is built in").world)
+}
+
+fn contenders() -> Vec<Contender> {
+    let methods = [Method::of(Gouraud, 0.5), Method::of(Phong, 0.5)].map(Contender::from);
+    methods.into_iter().chain([TEXTBOOK, REFERENCE]).collect()
+}
+
+/// Varies a key of a scene within half a level.
+fn varied(record: &SceneRecord, text: &str, steps: usize) -> Report {
+    let request = Request {
+        drawing: Drawing {
+            scene: Scene::spawn("varied".to_owned(), record),
+            size: SIZE,
+            threads: 1,
+            level: Level::new(),
+        },
+        variables: vec![Variable::parse(text, record).expect("a range")],
+        contenders: contenders(),
+        steps,
+        time: None,
+    };
+    finished(measure(&request, Monitor::NONE)).expect("it is measured")
 }
 
 #[test]
-fn the_renderer_keeps_its_limit_wherever_f64_can_decide() {
-    for sweep in SWEEPS {
-        // At this distance of the eye f64 cannot tell where a line of sight hits.
-        let is_eye = sweep.number == "distance of the eye";
-        let most = if is_eye { 1e10 } else { f64::INFINITY };
-        for evaluation in ["phong-0", "phong-0.5"] {
-            assert_all(Proven, evaluation, sweep.number, [0.0, most]);
+fn a_range_ends_where_the_error_passes_the_tolerance() {
+    let record = default_record();
+    for text in [
+        "camera.1.orbit.zoom=1..20",
+        "cuboid.emerald.material.shininess=1..200",
+        "light.specular.intensity=0..2",
+        "cuboid.emerald.segments=1..256",
+        "light.white.position.z=2..8",
+    ] {
+        let report = varied(&record, text, 6);
+        let panel = &report.keys[0];
+        let variable = &panel.variable;
+        let of = |value: f64, contender: &Contender| -> Error {
+            let record = variable.scene(&record, value).expect("it is legal");
+            let found = errors(&record, SIZE, &[*contender], Level::new());
+            found.expect("a small picture fits").of[0]
+        };
+        let resolution = if variable.logarithmic {
+            (variable.to / variable.from).powf(0.0101)
+        } else {
+            0.0101 * (variable.to - variable.from)
+        };
+        for (curve, contender) in panel.curves.iter().zip(contenders()) {
+            for point in &curve.points {
+                let found = of(point.value, &contender);
+                assert_eq!(
+                    (found.error, found.own_error),
+                    (point.error, point.own_error)
+                );
+                let is_kept = point.error[1] <= 0.5;
+                let is_inside = |it: &[f64; 2]| (it[0]..=it[1]).contains(&point.value);
+                assert_eq!(curve.keeps.iter().any(is_inside), is_kept, "{text}");
+            }
+            for [from, to] in &curve.keeps {
+                for (end, way) in [(*from, -1.0), (*to, 1.0)] {
+                    assert!(of(end, &contender).error[1] <= 0.5, "{text}, {end}");
+                    if end == variable.from || end == variable.to {
+                        continue;
+                    }
+                    // Whole numbers have a step of their own.
+                    let beyond = if text.contains("segments") {
+                        end + way * (0.0101 * (variable.to - variable.from)).max(1.0).ceil()
+                    } else if variable.logarithmic {
+                        end * resolution.powf(way)
+                    } else {
+                        end + way * resolution
+                    };
+                    let beyond = beyond.clamp(variable.from, variable.to);
+                    let found = of(beyond, &contender);
+                    let is_worse = found.error[1] > 0.4;
+                    assert!(
+                        is_worse,
+                        "{text}, {}: {end}, {beyond}: {found:?}",
+                        curve.method
+                    );
+                }
+            }
         }
     }
 }
 
 #[test]
-fn values_are_swept_in_even_steps_with_three_or_one_a_decade() {
-    let sweep = |number| {
-        let mut sweeps = SWEEPS.iter();
-        sweeps.find(|it| it.number == number).expect("it is swept")
+fn values_reach_from_end_to_end_in_even_steps() {
+    let record = default_record();
+    let values = |text: &str, steps| {
+        let variable = Variable::parse(text, &record).expect("a range");
+        variable.values(steps)
     };
-    for (number, count) in [
-        ("shininess", 28),
-        ("distance of the eye", 73),
-        ("edge length", 195),
-    ] {
-        assert_eq!(sweep(number).values().len(), count, "{number}");
+    assert_eq!(
+        values("light.white.intensity=1..100", 3),
+        [1.0, 10.0, 100.0]
+    );
+    assert_eq!(values("light.white.intensity=1..9", 3), [1.0, 5.0, 9.0]);
+    assert_eq!(values("light.white.intensity=9..1", 3), [1.0, 5.0, 9.0]);
+    assert_eq!(
+        values("light.white.position.x=-10..10", 5),
+        [-10.0, -5.0, 0.0, 5.0, 10.0]
+    );
+    assert_eq!(
+        values("cuboid.emerald.segments=1..16", 5),
+        [1.0, 2.0, 4.0, 8.0, 16.0]
+    );
+    assert_eq!(values("cuboid.emerald.segments=1..3", 9), [1.0, 2.0, 3.0]);
+}
+
+#[test]
+fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
+    let report = varied(&default_record(), "light.white.intensity=5..20", 3);
+    let [gouraud, phong, textbook, reference] = &report.keys[0].curves[..] else {
+        panic!("{report:?}");
+    };
+    for point in &gouraud.points {
+        assert!(
+            point.error[0] > 50.0 && point.own_error[1] <= 0.5,
+            "{point:?}"
+        );
     }
-    // Lights follow the cuboid away from the origin.
-    let [near, far] = [1.0, 1e9].map(|value| {
-        let scene = sweep("distance from the origin").scene(value);
-        let scene = scene.expect("it is built in");
-        let centre = scene.cuboid[0].position;
-        assert_eq!(centre.y, -0.5 * value);
-        let lights = scene.light.into_iter();
-        let places = lights.map(|it| it.position.map(|place| place.distance(centre).round()));
-        places.collect::<Vec<_>>()
-    });
-    assert_eq!(near, far);
+    for curve in [phong, textbook, reference] {
+        assert!(curve.points.iter().all(|it| it.own_error == it.error));
+    }
+    assert!(reference.points.iter().all(|it| it.error[1] < 1e-9));
+    assert!(!report.keys[0].is_still);
+    let mut record = default_record();
+    record.light[0].on = false;
+    assert!(varied(&record, "light.white.intensity=5..20", 3).keys[0].is_still);
+}
+
+#[test]
+fn a_cancelled_work_ends() {
+    let record = default_record();
+    let request = Request {
+        drawing: Drawing {
+            scene: Scene::load(None).expect("it is built in"),
+            size: SIZE,
+            threads: 1,
+            level: Level::new(),
+        },
+        variables: vec![Variable::parse("light.white.intensity=1..2", &record).expect("a range")],
+        contenders: contenders(),
+        steps: 2,
+        time: None,
+    };
+    let monitor = Monitor {
+        is_cancelled: &|| true,
+        ..Monitor::NONE
+    };
+    let error = finished(measure(&request, monitor)).expect_err("it is cancelled");
+    assert_eq!(error.to_string(), CANCELLED);
+}
+
+/// Gouraud with one cell on the face z = 1 under one light at height h above its middle: the error in the middle.
+#[test]
+fn a_lamp_above_a_face_errs_as_on_paper() {
+    let text = "background = [0, 0, 0]
+[[cuboid]]
+name = \"box\"
+size = [2, 2, 2]
+shading = \"gouraud\"
+normals = \"face\"
+material = { ambient = [0, 0, 0], diffuse = [1, 1, 1], specular = [0, 0, 0], shininess = 1 }
+[[light]]
+name = \"lamp\"
+kind = \"diffuse\"
+color = [1, 1, 1]
+intensity = 255
+gain = 1
+position = [0, 0, 2]
+[[camera]]
+name = \"1\"
+position = [0, 0, 9]
+target = [0, 0, 0]
+fov = 20
+height = 3
+";
+    let record = scene(text);
+    let variable = Variable::parse("light.lamp.position.z=1.5..9", &record).expect("a range");
+    for z in [1.5, 2.0, 4.0] {
+        let record = variable.scene(&record, z).expect("it is legal");
+        // An odd size has a pixel in the middle.
+        let found = errors(
+            &record,
+            [41, 41],
+            &[Method::of(Gouraud, 0.0).into()],
+            Level::new(),
+        );
+        let [least, most] = found.expect("a small picture fits").of[0].error;
+        // The middle has n.l = 1, the corners h / sqrt(h^2 + 2), and it lies on the diagonal between two of them.
+        let h = z - 1.0;
+        let on_paper = 255.0 * (1.0 - h / (h * h + 2.0).sqrt());
+        assert!(
+            (least - on_paper).abs() < 0.06 && most - least < 1e-6,
+            "{z}: {least}, {on_paper}"
+        );
+    }
+}
+
+/// A number of a scene, and a way to change the scene by it.
+type Sweep = (&'static str, [f64; 2], fn(&mut SceneRecord, f64));
+
+/// Ranges over which f32 or f64 does not always keep the tolerance. Where a number would take the cuboid out of the picture,
+/// the camera follows.
+const SWEEPS: [Sweep; 4] = [
+    ("shininess", [1e-3, 1e6], set_shininess),
+    ("edge length", [1e-97, 1e97], set_edge),
+    ("distance from the origin", [1.0, 1e15], move_from_origin),
+    ("distance of the eye", [1e-9, 1e15], move_eye),
+];
+
+/// Moves the cuboid, the lights and the camera.
+fn change_places(scene: &mut SceneRecord, change: impl Fn(DVec3) -> DVec3) {
+    let lights = scene.light.iter_mut();
+    let camera = &mut scene.camera[0];
+    let others = [
+        &mut scene.cuboid[0].position,
+        &mut camera.position,
+        &mut camera.target,
+    ];
+    for place in lights.filter_map(|it| it.position.as_mut()).chain(others) {
+        *place = change(*place);
+    }
+}
+
+/// Adds a light with its mirror image in the face z = 1, and looks at its highlight, which is 1 / sqrt(shininess) wide.
+fn set_shininess(scene: &mut SceneRecord, shininess: f64) {
+    scene.cuboid[0].material.shininess = shininess;
+    let camera = &mut scene.camera[0];
+    let point = DVec3::new(1.1, 0.7, 1.0);
+    let normal = (point / DVec3::new(2.0, 1.5, 1.0)).normalize();
+    let to_eye = (camera.position - point).normalize();
+    let place = point + 9.0 * (2.0 * normal.dot(to_eye) * normal - to_eye);
+    let mirrored = records::light("mirrored", LightKind::Specular, 255.0, place.to_array());
+    scene.light.push(mirrored);
+    camera.target = point;
+    camera.fov /= shininess.sqrt().max(1.0);
+}
+
+/// Lights and eye follow. The longest edge is 4 units long.
+fn set_edge(scene: &mut SceneRecord, edge: f64) {
+    scene.cuboid[0].size *= edge / 4.0;
+    scene.camera[0].height *= edge / 4.0;
+    change_places(scene, |place| place * (edge / 4.0));
+}
+
+fn move_from_origin(scene: &mut SceneRecord, far: f64) {
+    let shift = DVec3::new(far, -0.5 * far, 0.25 * far);
+    change_places(scene, |place| place + shift);
+}
+
+/// The farther the eye, the narrower the lens.
+fn move_eye(scene: &mut SceneRecord, distance: f64) {
+    let camera = &mut scene.camera[0];
+    camera.target = DVec3::new(0.1, 0.2, 1.0);
+    camera.position = camera.target + DVec3::new(0.48, 0.36, 0.8) * distance;
+    camera.fov = 2.0 * (3.0 / distance).atan().to_degrees().min(30.0);
+}
+
+/// The errors of Phong at a value: by the formula in f32, by the renderer at tolerance 0 and 0.5.
+fn swept(set: fn(&mut SceneRecord, f64), value: f64) -> [[f64; 2]; 3] {
+    let mut record = scene(include_str!("../../assets/stability/scene.toml"));
+    set(&mut record, value);
+    record.check().expect("a legal scene");
+    let renderer = [0.0, 0.5].map(|tolerance| Contender::from(Method::of(Phong, tolerance)));
+    let size = if is_full() { [128, 96] } else { [16, 12] };
+    let contenders = [TEXTBOOK, renderer[0], renderer[1]];
+    let found = errors(&record, size, &contenders, Level::new()).expect("a small picture fits");
+    [0, 1, 2].map(|index| found.of[index].error)
+}
+
+/// Values from end to end: three a decade, one where there are many.
+fn values([first, last]: [f64; 2]) -> Vec<f64> {
+    let decades = (last / first).log10();
+    let steps = (decades * if decades > 24.0 { 1.0 } else { 3.0 }).ceil();
+    let value = |step: u32| first * 10.0_f64.powf(decades * f64::from(step) / steps);
+    (0..=steps as u32)
+        .map(value)
+        .map(|it| it.clamp(first, last))
+        .collect()
+}
+
+#[test]
+fn the_renderer_keeps_its_limit_wherever_f64_can_decide() {
+    for (number, range, set) in SWEEPS {
+        // At this distance of the eye f64 cannot tell where a line of sight hits.
+        let most = if number == "distance of the eye" {
+            1e10
+        } else {
+            f64::INFINITY
+        };
+        for value in values(range).into_iter().filter(|value| *value <= most) {
+            let [_, exact, half] = swept(set, value);
+            assert!(exact[1] <= LIMIT_0, "{number} {value}: {exact:?}");
+            assert!(half[1] <= 0.5, "{number} {value}: {half:?}");
+        }
+    }
 }
 
 /// f32 has 24 bits, and a range from 1e-45 to 3e38.
@@ -85,61 +346,54 @@ fn f32_is_right_for_ordinary_numbers_and_fails_where_paper_predicts() {
         // The slope of the power is rho, and s has an error of 6e-8.
         ("shininess", [1e6, 1e6], Refuted),
     ] {
-        assert_all(verdict, "textbook-f32", number, ends);
+        let sweep = SWEEPS.iter().find(|it| it.0 == number);
+        let (_, range, set) = sweep.expect("it is swept");
+        let within = values(*range)
+            .into_iter()
+            .filter(|it| (ends[0]..=ends[1]).contains(it));
+        let mut count = 0;
+        for value in within {
+            let [textbook, ..] = swept(*set, value);
+            assert_eq!(
+                Verdict::of(textbook, LIMIT_0),
+                verdict,
+                "{number} {value}: {textbook:?}"
+            );
+            count += 1;
+        }
+        assert!(count > 0, "{number}");
     }
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Read {
-    number: String,
-    #[serde(rename = "unit")]
-    _unit: String,
-    evaluation: String,
-    limit: f64,
-    keeps: Option<[f64; 2]>,
-    points: Vec<ReadPoint>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ReadPoint {
-    value: f64,
-    error: [f64; 2],
-    verdict: String,
-}
-
-/// The range has only proven points, and no longer run of points has.
 #[test]
-fn the_kept_range_in_json_is_the_longest_run_of_proven_points() {
-    let text = json(&*CURVES).expect("it is text");
-    let curves: Vec<Read> = serde_json::from_str(&text).expect("it holds curves");
-    assert_eq!(curves.len(), SWEEPS.len() * EVALUATIONS.len());
-    for curve in curves {
-        let mut is_proven = curve.points.iter().map(|it| it.verdict == "proven");
-        let by_error = curve.points.iter().map(|it| it.error[1] <= curve.limit);
-        assert!(is_proven.by_ref().eq(by_error), "{}", curve.number);
-        let holds = |it: &&ReadPoint| {
-            let kept = curve.keeps;
-            kept.is_some_and(|[from, to]| (from..=to).contains(&it.value))
-        };
-        let kept: Vec<_> = curve.points.iter().filter(holds).collect();
-        let what = format!("{} of {}", curve.evaluation, curve.number);
-        assert!(kept.iter().all(|it| it.verdict == "proven"), "{what}");
-        let mut longer = curve.points.windows(kept.len() + 1);
-        let is_run = |run: &[ReadPoint]| run.iter().all(|it| it.verdict == "proven");
-        assert!(!longer.any(is_run), "{what}");
-    }
-    let text = table(&CURVES);
-    let (rows, _) = text.split_once("\n\n").expect("a table and its legend");
-    let is_all = |it: &&ErrorCurve| it.points.iter().all(|it| it.verdict == Proven);
-    let all = CURVES.iter().filter(is_all).count();
+fn the_command_writes_what_it_prints() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let line = "vary camera.1.orbit.zoom=1..4 --steps 3 --size 40x30 --seconds 0 -o out --json";
+    let (status, json) = cli::json(folder.path(), line);
+    assert_eq!(status, Some(0));
+    let file = std::fs::read(folder.path().join("out/vary.json")).expect("it is written");
     assert_eq!(
-        rows.split_whitespace().filter(|it| *it == "all").count(),
-        all
+        serde_json::from_slice::<Value>(&file).expect("it is JSON"),
+        json
     );
-    let names = SWEEPS.iter().map(|it| it.number);
-    for word in names.chain(EVALUATIONS.map(|(id, _)| id)) {
-        assert!(text.contains(word), "{word} is not in\n{text}");
+    assert_eq!(cli::keys(&json), "scene camera size tolerance keys");
+    let panel = &json["keys"][0];
+    assert_eq!(cli::keys(panel), "key from to logarithmic curves is_still");
+    assert_eq!(panel["key"], "camera.1.orbit.zoom");
+    for curve in panel["curves"].as_array().expect("a list") {
+        assert_eq!(cli::keys(curve), "method points keeps is_undecided");
+        assert_eq!(
+            cli::keys(&curve["points"][0]),
+            "value error own_error milliseconds"
+        );
+        let is_method = METHOD_IDS.contains(&curve["method"].as_str().expect("a name"));
+        assert_eq!(curve["points"][2]["milliseconds"].is_null(), !is_method);
+    }
+    let svg = std::fs::read_to_string(folder.path().join("out/vary.svg")).expect("it is written");
+    for text in ["camera.1.orbit.zoom", "gouraud-0.5", "textbook-f32", "ms"] {
+        assert!(svg.contains(text), "{text}");
     }
 }
+
+/// The usual methods whose frames are timed.
+const METHOD_IDS: [&str; 2] = ["gouraud-0.5", "phong-0.5"];

@@ -12,6 +12,7 @@ mod mouse;
 mod ranges;
 mod rooms;
 mod sides;
+mod sight;
 mod storms;
 mod trade;
 mod unsaved;

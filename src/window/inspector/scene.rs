@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use crate::components::{names, range};
 use crate::scene::SceneRecord;
 use crate::scene::key::Key;
-use crate::window::desk::{Desk, EntityPlace};
+use crate::window::desk::{Command, Desk, EntityPlace};
 use crate::window::document::Document;
 use crate::window::widgets::{color_button, number};
 
@@ -52,9 +52,10 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
         let copy = ui.small_button("copy");
         let delete = ui.add_enabled(can_delete, Button::new("delete").small());
         let delete = delete.on_disabled_hover_text("A scene needs one.");
-        [copy, delete, ui.small_button("new light")].map(|button| button.clicked())
+        let [cuboid, light] = ["new cuboid", "new light"].map(|name| ui.small_button(name));
+        [copy, delete, cuboid, light].map(|button| button.clicked())
     });
-    let [copies, deletes, adds_light] = buttons.inner;
+    let [copies, deletes, adds_cuboid, adds_light] = buttons.inner;
     entity_list(ui, &record, &mut selected);
     ui.separator();
     let (kind, mut place) = selected;
@@ -69,7 +70,8 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
     ui.separator();
     let key = Key::from("background");
     Grid::new("scene").show(ui, |ui| row(ui, &key, &mut background, &record));
-    if copies || deletes || adds_light || [&own, &background] != [&before[0], &before[1]] {
+    let adds = copies || adds_cuboid || adds_light;
+    if adds || deletes || [&own, &background] != [&before[0], &before[1]] {
         // With the changes of this layout.
         let mut scene = json!(SceneRecord::of(&document.scene.world));
         scene["background"] = background;
@@ -87,16 +89,24 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
                 place = place.min(all.len().saturating_sub(1));
             }
         }
+        selected = (kind, place);
         if adds_light && let Some(lights) = scene["light"].as_array_mut() {
             selected = ("light", lights.len());
             lights.push(copy("light", lights, &new_light()));
-        } else {
-            selected = (kind, place);
+        }
+        if adds_cuboid && let Some(cuboids) = scene["cuboid"].as_array_mut() {
+            selected = ("cuboid", cuboids.len());
+            let mut new = copy("cuboid", cuboids, &cuboids[cuboids.len() - 1]);
+            new["size"] = json!(DVec3::ONE);
+            cuboids.push(new);
         }
         match edited(&scene) {
             Ok(record) => {
                 document.restore(&record);
                 desk.message = None;
+                if adds {
+                    desk.commands.push(Command::StepBack);
+                }
             }
             // A drag passes numbers that go together with others no longer, such as an `up` along the view.
             Err(_) if ui.ctx().dragged_id().is_some() => {}
@@ -125,6 +135,15 @@ fn names_of<'a>(record: &'a SceneRecord, kind: &str) -> Box<dyn Iterator<Item = 
         "light" => Box::new(record.light.iter().map(|it| &*it.name)),
         _ => Box::new(record.camera.iter().map(|it| &*it.name)),
     }
+}
+
+/// The entity that a key is of, if it is there.
+pub fn entity_of(key: &Key, record: &SceneRecord) -> Option<EntityPlace> {
+    let kinds = ["cuboid", "light", "camera"].into_iter();
+    let kind = kinds.into_iter().find(|kind| key.is_of(kind))?;
+    let name = key.parts().get(1)?;
+    let place = names_of(record, kind).position(|own| own == name)?;
+    Some((kind, place))
 }
 
 /// An entity as JSON.
@@ -241,7 +260,13 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord) {
             }
         }
         Value::Array(numbers) => {
-            for number in numbers {
+            let names = if COLORS.contains(&key.last()) || key.last() == "background" {
+                ["r", "g", "b"]
+            } else {
+                ["x", "y", "z"]
+            };
+            for (number, name) in numbers.iter_mut().zip(names) {
+                ui.weak(name);
                 number_field(ui, key.last(), number);
             }
         }

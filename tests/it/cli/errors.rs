@@ -40,6 +40,17 @@ const FAILURES: &str = r#"
 2  probe --pixel 960,0  ->  960,0|959,719
 2  probe --pixel 0,720  ->  0,720|959,719
 2  probe --pixel 1,2,3  ->  '1,2,3'|480,300
+2  vary  ->  KEY=FROM..TO
+2  vary cuboid  ->  KEY=FROM..TO
+2  vary light.white.intensty=1..2  ->  intensty|intensity, gain
+2  vary light.white.intensity=-1..2  ->  light.white.intensity|from 0.0 to 1e30
+2  vary light.white.intensity=2..2  ->  light.white.intensity|one value
+2  vary light.white.intensity=2  ->  KEY=FROM..TO
+2  vary cuboid.emerald.segments=1.5..4  ->  whole numbers
+2  vary cuboid.emerald.segments=1..300  ->  cuboid.emerald.segments|256
+2  vary cuboid.emerald.shading=1..2  ->  cuboid.emerald.shading|no number
+2  vary light.white.intensity=1..2 --steps 1  ->  '1'|2..=1000
+2  vary light.white.intensity=1..2 --methods phong-3  ->  textbook-f32
 2  trade --shading phong  ->  --shading|trade
 2  trade --tolerance 1  ->  --tolerance|trade
 2  trade --methods phong-0,phong-3  ->  gouraud-0.5|phong-unit-vectors

@@ -79,7 +79,7 @@ fn only_methods_that_can_be_chosen_are_timed() {
     let chosen = choose(
         &drawing,
         2.0,
-        async |request: &Request, _, _: Monitor<'_>| {
+        &async |request: &Request, _, _: Monitor<'_>| {
             let mut modes = request.methods.iter().map(|it| it.mode);
             assert!(
                 modes.all(|mode| mode != UnitVectors),

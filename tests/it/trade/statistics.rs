@@ -44,6 +44,12 @@ fn the_front_has_the_methods_that_no_other_one_beats_beyond_noise() {
         // Of equal errors the faster stays, even where times are within noise: a budget needs one of them.
         &[(165.0, 0.2, true), (165.0, 0.322, false)],
         &[(1.0, 10.0, true), (1.0, 10.05, false)],
+        // So of errors that read the same.
+        &[
+            (165.3, 0.2, true),
+            (165.2, 0.322, false),
+            (0.001, 9.0, true),
+        ],
         &[(2.0, 10.0, false), (1.0, 10.0, true), (1.0, 10.0, false)],
         // Slower within noise but more accurate: both stay.
         &[(1.0, 10.0, true), (0.5, 10.05, true)],

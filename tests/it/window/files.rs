@@ -312,6 +312,41 @@ fn a_file_that_is_half_written_is_no_error() {
 }
 
 #[test]
+fn a_saved_picture_has_the_size_and_the_pixels_of_the_picture_alone() {
+    let mut window = Window::open();
+    window.press(Key::F6);
+    window.press_with(Modifiers::SHIFT, Key::F12);
+    let picture = image::open(window.folder.path().join("shadetrade-001.png"));
+    let picture = picture.expect("a picture").to_rgb8();
+    let [width, height] = window.app.canvas.size();
+    assert_eq!(
+        [picture.width() as usize, picture.height() as usize],
+        [width, height]
+    );
+    let shown = window.app.shown();
+    for (saved, shown) in picture.pixels().zip(shown.iter()) {
+        assert_eq!(saved.0, shown.to_be_bytes()[1..]);
+    }
+}
+
+#[test]
+fn q_asks_once_where_edits_are_not_saved() {
+    let mut window = Window::open();
+    window.press(Key::W);
+    window.press(Key::Q);
+    assert!(window.app.desk.quits, "a switched light is no edit");
+    window.app.desk.quits = false;
+    let mut record = window.record();
+    record.light[0].intensity = 11.0;
+    window.app.document.restore(&record);
+    window.step(Vec::new());
+    window.press(Key::Q);
+    assert!(!window.app.desk.quits && window.message().contains("Ctrl S"));
+    window.press(Key::Q);
+    assert!(window.app.desk.quits);
+}
+
+#[test]
 fn screenshots_are_the_pixels_that_are_shown() {
     let mut window = Window::open();
     let shown = window.app.pixels.clone();

@@ -25,7 +25,7 @@ fn prepare(window: &mut Window, action: Action) {
     match action {
         Action::Shading(ShadingMode::Gouraud) | Action::Undo => window.press(Key::P),
         Action::View(ViewMode::Picture) => window.press(Key::F5),
-        Action::ResetView => [Key::ArrowLeft, Key::Minus]
+        Action::ShowAll => [Key::ArrowLeft, Key::Minus]
             .map(|key| window.press(key))
             .into_iter()
             .collect(),
@@ -87,7 +87,7 @@ fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneReco
             record.camera[0].orbit.elevation = up;
         }
         Action::Zoom(steps) => record.camera[0].orbit.zoom = 1.1_f64.powi(-steps),
-        Action::ResetView => record.camera[0].orbit = Orbit::default(),
+        Action::ShowAll => record.camera[0].orbit = Orbit::default(),
         _ => {}
     }
     record
@@ -125,7 +125,7 @@ fn every_key_does_what_its_description_says() {
         assert_eq!(window.app.desk.turn(), None, "{key:?}");
         let saved = match action {
             Action::Save | Action::SaveAs => vec!["cuboid.toml"],
-            Action::Screenshot => vec!["shadetrade-001.png"],
+            Action::Screenshot | Action::SavePicture => vec!["shadetrade-001.png"],
             _ => Vec::new(),
         };
         assert_eq!(window.files(), saved, "{key:?}");

@@ -155,7 +155,7 @@ fn a_canvas_shows_the_comparison_of_the_present_picture_alone() {
         drawn.expect("a small picture fits");
         facts.comparison.finish(Some(Comparison {
             exact: filled(exact),
-            error_map: filled(error_map),
+            error_maps: [filled(error_map), filled(0)],
             error: None,
         }));
         let found = |facts: &Facts| {
@@ -282,7 +282,9 @@ fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
     let mut world = default_scene().world;
     shade(&mut world, ShadingMode::Gouraud);
     let mut harness = Harness::builder().with_size([300.0, 300.0]).build_ui_state(
-        move |ui, world: &mut World| chart(ui, &study, &Choice::default(), world),
+        move |ui, world: &mut World| {
+            chart(ui, &study, &Choice::default(), world, &mut Desk::default());
+        },
         world,
     );
     let chosen = Method::of(Phong, 1.0);

@@ -1,0 +1,127 @@
+//! A number of a scene and the range over which it varies.
+
+use anyhow::{Context, bail, ensure};
+use serde::{Serialize, Serializer};
+use toml::Value;
+
+use crate::scene::SceneRecord;
+use crate::scene::key::{self, Key};
+
+/// The ratio of the ends from which on steps are those of the logarithm.
+const MANY: f64 = 10.0;
+
+/// A key of a scene, and the ends of its range.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Variable {
+    #[serde(serialize_with = "as_text")]
+    pub key: Key,
+    pub from: f64,
+    pub to: f64,
+    /// Whether steps are those of the logarithm: the ends have one sign, and a ratio of 10 or more.
+    pub logarithmic: bool,
+    /// Whether the key has whole numbers.
+    #[serde(skip)]
+    is_whole: bool,
+}
+
+fn as_text<S: Serializer>(key: &Key, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(key)
+}
+
+impl Variable {
+    /// Reads `KEY=FROM..TO` for a scene.
+    ///
+    /// # Errors
+    /// If the text has another form, the scene has no such number, or an end is not legal.
+    pub fn parse(text: &str, record: &SceneRecord) -> anyhow::Result<Self> {
+        let form = || format!("{text:?} is not KEY=FROM..TO, such as light.white.intensity=1..100");
+        let (key, range) = text.split_once('=').with_context(form)?;
+        let (from, to) = range.split_once("..").with_context(form)?;
+        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|it| it.is_finite());
+        let ends = number(from).zip(number(to));
+        let (from, to) = ends.with_context(form)?;
+        // A dummy value: the parser of assignments knows quoted names.
+        let (key, _) = key::assignment(&format!("{key}=0")).map_err(anyhow::Error::msg)?;
+        Variable::new(key, [from, to], record)
+    }
+
+    /// A range of a key, from the lower end to the upper one.
+    ///
+    /// # Errors
+    /// As [`Variable::parse`].
+    pub fn new(key: Key, [from, to]: [f64; 2], record: &SceneRecord) -> anyhow::Result<Self> {
+        let is_whole = match key.read(record)? {
+            Some(Value::Integer(_)) => true,
+            // An optional number may be left out.
+            Some(Value::Float(_)) | None => false,
+            Some(_) => bail!("{key} is no number"),
+        };
+        let (from, to) = (from.min(to), from.max(to));
+        ensure!(
+            from != to,
+            "{key}: the range from {from} to {to} has one value"
+        );
+        let is_legal = |end: &f64| !is_whole || end.fract() == 0.0;
+        ensure!(
+            [from, to].iter().all(is_legal),
+            "{key} has whole numbers, and {from} to {to} are not"
+        );
+        let variable = Variable {
+            key,
+            from,
+            to,
+            logarithmic: from * to > 0.0 && (to / from).max(from / to) >= MANY,
+            is_whole,
+        };
+        for end in [from, to] {
+            variable.scene(record, end)?;
+        }
+        Ok(variable)
+    }
+
+    /// The place of a value in the range, 0..=1 in steps.
+    pub fn share(&self, value: f64) -> f64 {
+        if self.logarithmic {
+            (value / self.from).ln() / (self.to / self.from).ln()
+        } else {
+            (value - self.from) / (self.to - self.from)
+        }
+    }
+
+    /// The value at a place of the range.
+    pub fn at(&self, share: f64) -> f64 {
+        let value = if self.logarithmic {
+            self.from * (self.to / self.from).powf(share)
+        } else {
+            self.from + (self.to - self.from) * share
+        };
+        match share {
+            0.0 => self.from,
+            1.0 => self.to,
+            _ if self.is_whole => value.round(),
+            _ => value,
+        }
+    }
+
+    /// The values from one end to the other in even steps, without repetitions.
+    pub fn values(&self, steps: usize) -> Vec<f64> {
+        let last = steps.max(2) - 1;
+        let values = (0..=last).map(|step| self.at(step as f64 / last as f64));
+        let mut values: Vec<f64> = values.collect();
+        values.dedup();
+        values
+    }
+
+    /// The scene with a value of the key.
+    ///
+    /// # Errors
+    /// If the key may not have it.
+    pub fn scene(&self, record: &SceneRecord, value: f64) -> anyhow::Result<SceneRecord> {
+        let value = if self.is_whole {
+            Value::Integer(value as i64)
+        } else {
+            Value::Float(value)
+        };
+        key::set(record, &[(self.key.clone(), value)])
+    }
+}
