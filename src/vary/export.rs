@@ -5,10 +5,10 @@ use super::{Panel, Report};
 use crate::components::ShadingMode;
 use crate::report::tables::{aligned, wrapped};
 use crate::report::words::{capital, rounded, short};
-use crate::shading::METHODS;
+use crate::shading::{METHODS, limit};
 use crate::trade::verdict::method_name;
 
-const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the tolerance; a \
+const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the tolerance, which is 0.05 if it is 0; a \
     ? where f64 does not suffice to refute the rest. Errors are upper bounds, in levels of 255. own: against the method's own definition. \
     textbook-f32: the formula in f32 throughout; reference: in f64.";
 
@@ -34,16 +34,16 @@ pub fn text(report: &Report) -> String {
     let parts = report
         .keys
         .iter()
-        .map(|panel| of_panel(panel, report.tolerance));
+        .map(|panel| of_panel(panel, limit(report.tolerance)));
     let parts: Vec<String> = parts.collect();
     format!("{}\n\n{}", parts.join("\n\n"), wrapped(LEGEND))
 }
 
-fn of_panel(panel: &Panel, tolerance: f64) -> String {
+fn of_panel(panel: &Panel, limit: f64) -> String {
     let variable = &panel.variable;
     let [from, to] = [variable.from, variable.to].map(number);
     let at = [&from, &to].map(|end| format!("at {end}"));
-    let keeps = format!("keeps {tolerance}");
+    let keeps = format!("keeps {limit}");
     let has_times = panel.curves.iter().any(|it| it.milliseconds().is_some());
     let mut head = vec!["method", &keeps, &at[0], &at[1], "own"];
     head.extend(has_times.then_some("ms"));
@@ -79,11 +79,7 @@ fn of_panel(panel: &Panel, tolerance: f64) -> String {
     let ends = panel.curves.iter().filter(|it| it.has_end());
     let says = ends.map(|curve| {
         let place = curve.kept(|value| format!("{key} {}", number(value)));
-        format!(
-            "{} keeps {} {place}.",
-            name(curve.method),
-            levels(tolerance)
-        )
+        format!("{} keeps {} {place}.", name(curve.method), levels(limit))
     });
     let says: Vec<String> = says.chain(panel.distances.clone()).collect();
     let text = format!("{key} from {from} to {to}\n\n{table}");
@@ -93,11 +89,11 @@ fn of_panel(panel: &Panel, tolerance: f64) -> String {
     format!("{text}\n\n{}", wrapped(&says.join(" ")))
 }
 
-fn levels(tolerance: f64) -> String {
-    match tolerance {
+fn levels(limit: f64) -> String {
+    match limit {
         0.5 => "half a level".to_owned(),
         1.0 => "1 level".to_owned(),
-        _ => format!("{tolerance} levels"),
+        _ => format!("{limit} levels"),
     }
 }
 

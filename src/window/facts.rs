@@ -16,7 +16,7 @@ use crate::drawing::all_cores;
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::{Monitor, finished};
-use crate::requires::PartChange;
+use crate::requires::PartChanges;
 use crate::requires::segments::FewestSegments;
 use crate::shading::Method;
 use crate::trade::Measurement;
@@ -47,7 +47,8 @@ pub struct Facts {
     pub section: Latest<Vec<Probe>>,
     pub comparison: Latest<Comparison>,
     pub proof: Latest<Proof>,
-    pub required: Latest<Vec<PartChange>>,
+    /// It is current from its first rows on.
+    pub required: Latest<PartChanges>,
     pub segments: Latest<Vec<FewestSegments>>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Latest<Vec<Measurement>>,

@@ -11,7 +11,7 @@ pub use self::scene::entity_of;
 use super::app::App;
 use super::study::Study;
 use super::widgets::{INK, scrolled, short, wait};
-use crate::requires::PartChange;
+use crate::requires::{PartChange, ranked};
 
 /// A page of the inspector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -81,7 +81,9 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
          {tolerance} needs the part. Tooltips describe the picture without it."
     ));
     let facts = &study.facts;
-    wait(ui, study, &facts.required);
+    let required = &facts.required;
+    let is_all = required.current().is_some_and(|it| it.is_all);
+    wait(ui, study, is_all);
     let part = |part: &PartChange| {
         let says = part.part.says();
         let is_kept = part.change.keeps(tolerance);
@@ -91,11 +93,12 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
     };
     let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
     let head = (head, "");
-    let parts = facts.required.value.iter().flatten().map(part);
-    let rows = iter::once(head).chain(parts);
+    let rows = required.value.as_ref().map(|it| it.rows.clone());
+    let ranked = ranked(rows.unwrap_or_default());
+    let rows = iter::once(head).chain(ranked.iter().map(part));
     table(ui, "required", rows);
-    if facts.required.is_current {
-        wait(ui, study, &facts.segments);
+    if is_all {
+        wait(ui, study, facts.segments.is_current);
     }
     for cuboid in facts.segments.value.iter().flatten() {
         let label = ui.label(format!(
@@ -133,7 +136,7 @@ fn proof_tab(ui: &mut Ui, study: &Study) {
          tolerance of all of its interval, refuted if of none of it, else undecided.",
     );
     let fact = &study.facts.proof;
-    wait(ui, study, fact);
+    wait(ui, study, fact.is_current);
     let rows = fact.value.iter().flat_map(|proof| {
         let [worst, widest] = [proof.worst, proof.widest_enclosure];
         let off = proof.reference_error;

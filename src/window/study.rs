@@ -20,8 +20,8 @@ use crate::frame::Workers;
 use crate::probe;
 use crate::prove::prove;
 use crate::report::Monitor;
+use crate::requires::more_changes;
 use crate::requires::segments::fewest_segments;
-use crate::requires::{part_changes, ranked};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{Method, methods};
 use crate::trade::batch::time_here;
@@ -29,6 +29,8 @@ use crate::trade::{Request, is_timed, measure};
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
+/// The parts of the model that are left out between two looks at the result.
+const FEW: usize = 4;
 /// How long the frames of all methods are timed together.
 const TIMING: Duration = Duration::from_secs(1);
 
@@ -200,12 +202,17 @@ impl Study {
             );
         }
         if desk.tab == Some(Tab::Required) {
-            self.find(
-                subject,
-                Question::Require,
-                |facts| &mut facts.required,
-                async |scene, view, monitor| part_changes(scene, view, monitor).await.map(ranked),
-            );
+            let found = self.facts.required.current().cloned().unwrap_or_default();
+            if !found.is_all {
+                self.find(
+                    subject,
+                    Question::Require,
+                    |facts| &mut facts.required,
+                    async move |scene, view, monitor| {
+                        more_changes(scene, view, found.rows, FEW, monitor).await
+                    },
+                );
+            }
             self.find(
                 subject,
                 Question::CountSegments,
@@ -261,7 +268,9 @@ impl Study {
         place: fn(&mut Facts) -> &mut Latest<T>,
         find: impl AsyncFnOnce(&mut Scene, &View, Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
     ) {
-        let is_open = question == Question::Measure || !place(&mut self.facts).is_current;
+        // What is known of these grows.
+        let grows = [Question::Measure, Question::Require].contains(&question);
+        let is_open = grows || !place(&mut self.facts).is_current;
         let work = self.work.as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
         let rests = question == Question::Probe || !self.is_live() || subject.rests;

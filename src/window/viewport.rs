@@ -267,7 +267,7 @@ fn error_legend(ui: &mut Ui, tolerance: f64, canvas: &mut Canvas, study: &Study)
     let says = "Spreads the colours over the errors of this picture. Else they are those of the files of trade.";
     ui.checkbox(&mut canvas.stretches, "stretch")
         .on_hover_text(says);
-    wait(ui, study, &study.facts.comparison);
+    wait(ui, study, study.facts.comparison.is_current);
     swatch(ui, EDGE, "another face is seen");
     swatch(ui, NOTHING, "nothing is drawn");
 }

@@ -11,7 +11,6 @@ use egui_plot::Plot;
 use glam::DVec3;
 
 use super::desk::Desk;
-use super::facts::Latest;
 use super::keys::{Action, binding, caption};
 use super::study::Study;
 use crate::components::ShadingMode;
@@ -76,9 +75,9 @@ pub fn offer(ui: &mut Ui, desk: &mut Desk, action: Action, is_chosen: bool) {
 }
 
 /// Shows the progress of the work in the background until a fact is known.
-pub fn wait<T>(ui: &mut Ui, study: &Study, fact: &Latest<T>) {
+pub fn wait(ui: &mut Ui, study: &Study, is_known: bool) {
     match study.progress() {
-        _ if fact.is_current => {}
+        _ if is_known => {}
         None => drop(ui.weak("waits until nothing moves")),
         Some((step, share)) => drop(ui.add(ProgressBar::new(share as f32).text(step))),
     }

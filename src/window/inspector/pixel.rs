@@ -40,7 +40,7 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
             viewer_mut(world).pixel = None;
         }
     });
-    wait(ui, study, &study.facts.section);
+    wait(ui, study, study.facts.section.is_current);
     let Some(probe) = study.facts.probed(pixel) else {
         return;
     };
