@@ -1,6 +1,6 @@
 //! Spawns a record as a [`World`], and takes a record from a world.
 
-use hecs::World;
+use hecs::{Query, World};
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 use crate::components::{
@@ -9,71 +9,118 @@ use crate::components::{
     background, in_file_order, viewer,
 };
 
+type CuboidParts<'a> = (
+    &'a Name,
+    &'a Transform,
+    &'a Mesh,
+    &'a Material,
+    &'a ShadingMode,
+    &'a NormalMode,
+    &'a Segments,
+);
+type LightParts<'a> = (&'a Name, &'a Transform, &'a Light);
+type CameraParts<'a> = (&'a Name, &'a Camera, &'a Orbit);
+
+fn cuboid((name, at, mesh, material, shading, normals, segments): CuboidParts) -> CuboidRecord {
+    CuboidRecord {
+        name: name.0.clone(),
+        size: mesh.size(),
+        position: at.position,
+        rotation: at.rotation,
+        shading: *shading,
+        normals: *normals,
+        segments: *segments,
+        material: *material,
+    }
+}
+
+fn light((name, at, light): LightParts) -> LightRecord {
+    LightRecord {
+        name: name.0.clone(),
+        kind: light.kind,
+        color: light.color,
+        intensity: light.intensity,
+        gain: light.gain,
+        position: (light.kind != LightKind::Ambient).then_some(at.position),
+        on: light.on,
+    }
+}
+
+fn camera((name, camera, orbit): CameraParts) -> CameraRecord {
+    CameraRecord {
+        name: name.0.clone(),
+        position: camera.position,
+        target: camera.target,
+        up: camera.up,
+        fov: camera.fov,
+        height: camera.height,
+        near: camera.near,
+        orbit: *orbit,
+    }
+}
+
+/// The viewer of a world with these cameras. One that is gone, or the first one, has no name here.
+fn view(world: &World, cameras: &[CameraRecord]) -> Viewer {
+    let mut view = Viewer::clone(&viewer(world));
+    view.turns = false;
+    let is_named = |name: &String| cameras.iter().skip(1).any(|it| it.name == *name);
+    view.camera = view.camera.filter(is_named);
+    view
+}
+
+impl CuboidRecord {
+    fn is_of(&self, (name, at, mesh, material, shading, normals, segments): CuboidParts) -> bool {
+        self.name == name.0
+            && self.size == mesh.size()
+            && self.position == at.position
+            && self.rotation == at.rotation
+            && self.shading == *shading
+            && self.normals == *normals
+            && self.segments == *segments
+            && self.material == *material
+    }
+}
+
+/// Whether the entities that a query finds have these records.
+fn are_of<Q: Query, T>(
+    records: &[T],
+    world: &World,
+    is_of: impl for<'a> Fn(&T, Q::Item<'a>) -> bool,
+) -> bool {
+    let mut query = world.query::<(&FileOrder, Q)>();
+    let mut entities = query.iter();
+    let record = |order: &FileOrder| records.get(order.0 as usize);
+    entities.len() == records.len()
+        && entities.all(|(order, parts)| record(order).is_some_and(|it| is_of(it, parts)))
+}
+
 impl SceneRecord {
     /// The record of a world. It does not tell whether the cuboids keep turning.
     ///
     /// # Panics
     /// If the world has no viewer or no camera. A spawned scene has both.
     pub fn of(world: &World) -> SceneRecord {
-        type Parts<'a> = (
-            &'a Name,
-            &'a Transform,
-            &'a Mesh,
-            &'a Material,
-            &'a ShadingMode,
-            &'a NormalMode,
-            &'a Segments,
-        );
-        let cuboid = in_file_order::<Parts, _>(
-            world,
-            |(name, at, mesh, material, shading, normals, segments)| CuboidRecord {
-                name: name.0.clone(),
-                size: mesh.size(),
-                position: at.position,
-                rotation: at.rotation,
-                shading: *shading,
-                normals: *normals,
-                segments: *segments,
-                material: *material,
-            },
-        );
-        let light = in_file_order::<(&Name, &Transform, &Light), _>(world, |(name, at, light)| {
-            LightRecord {
-                name: name.0.clone(),
-                kind: light.kind,
-                color: light.color,
-                intensity: light.intensity,
-                gain: light.gain,
-                position: (light.kind != LightKind::Ambient).then_some(at.position),
-                on: light.on,
-            }
-        });
-        let camera =
-            in_file_order::<(&Name, &Camera, &Orbit), _>(world, |(name, camera, orbit)| {
-                CameraRecord {
-                    name: name.0.clone(),
-                    position: camera.position,
-                    target: camera.target,
-                    up: camera.up,
-                    fov: camera.fov,
-                    height: camera.height,
-                    near: camera.near,
-                    orbit: *orbit,
-                }
-            });
-        let mut view = Viewer::clone(&viewer(world));
-        view.turns = false;
-        // A camera that is gone, or the first one, has no name here.
-        view.camera = view
-            .camera
-            .filter(|name| camera.iter().skip(1).any(|it| it.name == *name));
+        let cameras = in_file_order::<CameraParts, _>(world, camera);
         SceneRecord {
             background: background(world),
-            cuboid,
-            light,
-            camera,
-            view,
+            cuboid: in_file_order::<CuboidParts, _>(world, cuboid),
+            light: in_file_order::<LightParts, _>(world, light),
+            view: view(world, &cameras),
+            camera: cameras,
         }
+    }
+
+    /// Whether this is the record of a world, from which no entity was removed. It is asked in each step of the window, so it
+    /// copies no cuboids.
+    ///
+    /// # Panics
+    /// As [`SceneRecord::of`].
+    pub fn is_of(&self, world: &World) -> bool {
+        are_of::<CuboidParts, _>(&self.cuboid, world, CuboidRecord::is_of)
+            && are_of::<LightParts, _>(&self.light, world, |it, parts| *it == light(parts))
+            && are_of::<CameraParts, _>(&self.camera, world, |it, parts| *it == camera(parts))
+            && self.background == background(world)
+            && self.view == view(world, &self.camera)
     }
 
     /// The world of this record.

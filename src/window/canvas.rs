@@ -105,13 +105,13 @@ impl Canvas {
         state: &Arc<SceneRecord>,
         view: View,
     ) -> Result<(), OutOfMemory> {
-        let present = (Arc::clone(state), view);
-        if self.drawn.as_ref() == Some(&present) {
+        let drawn = self.drawn.as_ref();
+        if drawn.is_some_and(|it| Arc::ptr_eq(&it.0, state) && it.1 == view) {
             self.moved.take_if(|moved| now >= *moved + REST);
         } else {
             self.pictures.draw(world, &state.view, &view)?;
             self.moved = Some(now);
-            self.drawn = Some(present);
+            self.drawn = Some((Arc::clone(state), view));
         }
         Ok(())
     }

@@ -8,6 +8,7 @@
 //! The World is the only state of the scene and of how it is looked at. A change is a difference between two
 //! [`SceneRecord`]s, whatever made it. A function returns the message for the status line.
 
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -29,6 +30,8 @@ pub struct Document {
     pub state: Arc<SceneRecord>,
     pub history: Undoer<State>,
     pub file: SceneFile,
+    /// The last two states that were compared, and whether the first has edits that the second lacks.
+    compared: RefCell<([Arc<SceneRecord>; 2], bool)>,
     /// `None` where edits are not kept.
     pub(super) unsaved: Option<Unsaved>,
     /// Files without a path of their own are written here.
@@ -44,6 +47,7 @@ impl Document {
         Document {
             history: history(&state),
             file: SceneFile::of(&scene),
+            compared: RefCell::new(([(); 2].map(|()| Arc::clone(&state)), false)),
             unsaved: None,
             folder: PathBuf::from("."),
             step: 0,
@@ -73,9 +77,15 @@ impl Document {
         Ok(path.as_deref().map(told))
     }
 
-    /// Whether the scene was edited since it was saved.
+    /// Whether the scene was edited since it was saved. It is asked in each step.
     pub fn is_edited(&self) -> bool {
-        has_edits(&self.state, &self.file.saved)
+        let (states, is_edited) = &mut *self.compared.borrow_mut();
+        let present = [&self.state, &self.file.saved];
+        if !(0..2).all(|it| Arc::ptr_eq(&states[it], present[it])) {
+            *is_edited = has_edits(&self.state, &self.file.saved);
+            *states = present.map(Arc::clone);
+        }
+        *is_edited
     }
 
     /// The title of the window.
@@ -104,6 +114,9 @@ impl Document {
 
     /// Notes the state that keys and widgets made. One that no scene may have is taken back, and the reason returned.
     pub fn note(&mut self) -> Option<String> {
+        if self.state.is_of(&self.scene.world) {
+            return None;
+        }
         let record = SceneRecord::of(&self.scene.world);
         if record == *self.state {
             return None;

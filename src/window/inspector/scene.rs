@@ -41,7 +41,7 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
         ui.style_mut().drag_value_text_style = TextStyle::Small;
     }
     let record = Arc::clone(&document.state);
-    let count = |kind: &str| names_of(&record, kind).count();
+    let count = |kind: &str| names_of(&record, kind).len();
     // Undo and a new file may leave fewer entities, and no lights.
     let selected = desk.selected.filter(|it| count(it.0) > 0);
     let mut selected = selected.unwrap_or(("cuboid", 0));
@@ -129,7 +129,10 @@ impl Desk {
 }
 
 /// The names of the entities of a kind, in the order of the file.
-fn names_of<'a>(record: &'a SceneRecord, kind: &str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
+fn names_of<'a>(
+    record: &'a SceneRecord,
+    kind: &str,
+) -> Box<dyn ExactSizeIterator<Item = &'a str> + 'a> {
     match kind {
         "cuboid" => Box::new(record.cuboid.iter().map(|it| &*it.name)),
         "light" => Box::new(record.light.iter().map(|it| &*it.name)),
@@ -205,10 +208,9 @@ fn entity_list(ui: &mut Ui, record: &SceneRecord, selected: &mut EntityPlace) {
         let places = (0..).map(move |place| (kind, place));
         places.zip(names_of(record, kind))
     };
-    let entities: Vec<_> = ["cuboid", "light", "camera"]
-        .into_iter()
-        .flat_map(of_kind)
-        .collect();
+    let kinds = ["cuboid", "light", "camera"];
+    let entities = || kinds.into_iter().flat_map(of_kind);
+    let count = kinds.map(|kind| names_of(record, kind).len()).iter().sum();
     let height = ui.text_style_height(&TextStyle::Body) + 4.0;
     // The keys of an entity stay in sight below.
     let most = (ui.ctx().content_rect().height() - 420.0).max(150.0);
@@ -216,16 +218,16 @@ fn entity_list(ui: &mut Ui, record: &SceneRecord, selected: &mut EntityPlace) {
     // An entity that was selected elsewhere comes in sight.
     let id = ui.id().with("selected");
     if ui.data(|data| data.get_temp(id)) != Some(*selected) {
-        let above = entities.iter().take_while(|(place, _)| place != selected);
+        let above = entities().take_while(|(place, _)| place != selected);
         let above = above.count() as f32 * (height + ui.spacing().item_spacing.y);
         scroll = scroll.vertical_scroll_offset((above - most / 2.0).max(0.0));
     }
-    scroll.show_rows(ui, height, entities.len(), |ui, rows| {
-        for (place, name) in &entities[rows] {
-            let row = Button::selectable(selected == place, *name).shortcut_text(place.0);
+    scroll.show_rows(ui, height, count, |ui, rows| {
+        for (place, name) in entities().skip(rows.start).take(rows.len()) {
+            let row = Button::selectable(*selected == place, name).shortcut_text(place.0);
             let row = row.min_size(vec2(ui.available_width(), 0.0));
             if ui.add(row).clicked() {
-                *selected = *place;
+                *selected = place;
             }
         }
     });

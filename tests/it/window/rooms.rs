@@ -10,7 +10,9 @@ use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::NormalMode::Face;
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
-use shadetrade::components::{Light, ShadingMode, View, ViewMode, common_mode, viewer_mut};
+use shadetrade::components::{
+    Light, ShadingMode, View, ViewMode, common_mode, ordered, viewer_mut,
+};
 use shadetrade::frame::Workers;
 use shadetrade::scene::SceneRecord;
 use shadetrade::shading::Method;
@@ -63,6 +65,19 @@ fn a_document_notes_edits_names_what_is_undone_and_takes_back_what_no_scene_may_
             .is_some_and(|reason| reason.contains("tolerance"))
     );
     assert_eq!(SceneRecord::of(&document.scene.world), *edited);
+}
+
+#[test]
+fn a_document_notes_a_removed_light_once() {
+    let mut document = Document::of(default_scene());
+    let world = &mut document.scene.world;
+    let light = ordered::<Light>(world)[0];
+    world.despawn(light).expect("it is there");
+    document.note();
+    let state = Arc::clone(&document.state);
+    assert_eq!(state.light.len(), 3);
+    document.note();
+    assert!(Arc::ptr_eq(&document.state, &state));
 }
 
 #[test]

@@ -23,8 +23,13 @@ fn open() -> Harness<'static, App> {
     widgets(app(default_scene(), SIZE, Level::new()), SIZE)
 }
 
+/// The record of the world. The document has noted it.
+#[track_caller]
 fn record(harness: &Harness<App>) -> SceneRecord {
-    SceneRecord::of(&harness.state().document.scene.world)
+    let document = &harness.state().document;
+    let record = SceneRecord::of(&document.scene.world);
+    assert_eq!(*document.state, record);
+    record
 }
 
 fn click_at(harness: &mut Harness<App>, at: Pos2) {
@@ -131,6 +136,49 @@ fn every_button_does_what_its_key_does() {
     press(&mut harness, Key::O);
     let projection = harness.state().viewer().projection;
     assert_eq!(projection, Projection::Orthographic, "O presses no widget");
+}
+
+#[test]
+fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
+    type Change = fn(&mut Harness<'static, App>);
+    let changes: [(&str, Change); 11] = [
+        ("a check box", |it| click(it, "red")),
+        ("a button", |it| click(it, "Phong")),
+        ("a choice", |it| click(it, "orthographic")),
+        ("a slider", |it| {
+            let mut sliders = it.query_all_by(|node| node.role() == Role::Slider);
+            let place = sliders.next().expect("a slider").rect().center();
+            drop(sliders);
+            click_at(it, place);
+        }),
+        ("a number of the panel", |it| enter(it, "tolerance", 0, "2")),
+        ("a number of the editor", |it| enter(it, "size", 1, "7.25")),
+        ("a word of the editor", |it| click_inside(it, "face")),
+        ("the background", |it| enter(it, "background", 1, "7")),
+        ("a copy", |it| click(it, "copy")),
+        ("a new light", |it| click(it, "new light")),
+        ("a drag of the picture", |it| {
+            let middle = it.state().canvas.place.center();
+            it.drag_at(middle);
+            it.run_ok();
+            it.hover_at(middle + vec2(60.0, 30.0));
+            it.run_ok();
+            it.drop_at(middle + vec2(60.0, 30.0));
+            it.run_ok();
+        }),
+    ];
+    let mut harness = open();
+    press(&mut harness, Key::E);
+    for (name, change) in changes {
+        let before = record(&harness);
+        harness.state_mut().document.keep(PAUSE, true);
+        change(&mut harness);
+        assert!(record(&harness) != before, "{name}");
+        harness.state_mut().document.keep(PAUSE, true);
+        harness.state_mut().document.undo();
+        harness.run_ok();
+        assert!(record(&harness) == before, "{name}");
+    }
 }
 
 #[test]
