@@ -68,11 +68,6 @@ impl Canvas {
         self.place.min + vec2(x as f32, y as f32) / self.scale
     }
 
-    /// Whether a pixel lies right of the middle of the picture.
-    pub fn is_right(&self, pixel: [usize; 2]) -> bool {
-        self.place_of(pixel).x > self.place.center().x
-    }
-
     /// The pixel that is explained, if it lies in the picture.
     pub fn pixel(&self, viewer: &Viewer) -> Option<[usize; 2]> {
         viewer.pixel_in(self.size())

@@ -4,8 +4,8 @@
 //! size when something is opened.
 
 use egui::{
-    Align2, Area, Color32, Frame, Grid, Id, Label, Modal, Order, Panel, Popup, RichText,
-    ScrollArea, Sense, TextWrapMode, Ui, Vec2, vec2,
+    Area, Color32, Frame, Grid, Id, Label, Modal, Order, Panel, Popup, Rect, RichText, ScrollArea,
+    Sense, TextWrapMode, Ui, Vec2, vec2,
 };
 
 use super::app::App;
@@ -70,8 +70,8 @@ impl App {
             Panel::top("lesson").show_inside(ui, |ui| caption(ui, document, desk));
         }
         self.viewport(ui);
-        if !self.desk.has_room && self.desk.tab.is_some() {
-            self.drawer(ui, usual);
+        if let Some(place) = self.drawer_place() {
+            self.drawer(ui, place);
         }
         if self.desk.help {
             self.desk.help = help(ui);
@@ -83,19 +83,33 @@ impl App {
         self.note_changes();
     }
 
-    /// Lays out the inspector over the picture, on the side where it does not hide the explained pixel.
-    fn drawer(&mut self, ui: &Ui, usual: f32) {
-        let place = self.canvas.place;
-        let is_left = self.pixel().is_some_and(|it| self.canvas.is_right(it));
-        let (pivot, corner) = if is_left {
-            (Align2::LEFT_TOP, place.left_top())
-        } else {
-            (Align2::RIGHT_TOP, place.right_top())
-        };
+    /// The part of the picture that the drawer covers, away from the explained pixel: a side, or where that is too narrow the
+    /// lower or upper half. `None` while there is no drawer.
+    pub(super) fn drawer_place(&self) -> Option<Rect> {
+        if self.desk.has_room || self.desk.tab.is_none() {
+            return None;
+        }
+        let (picture, middle) = (self.canvas.place, self.canvas.place.center());
+        let pixel = self
+            .pixel()
+            .map_or(picture.min, |it| self.canvas.place_of(it));
+        let half = picture.width() / 2.0;
+        let width = USUAL.min(half);
+        Some(
+            match (half < LEAST, pixel.x > middle.x, pixel.y > middle.y) {
+                (true, _, false) => picture.with_min_y(middle.y),
+                (true, _, true) => picture.with_max_y(middle.y),
+                (false, false, _) => picture.with_min_x(picture.max.x - width),
+                (false, true, _) => picture.with_max_x(picture.min.x + width),
+            },
+        )
+    }
+
+    /// Lays out the inspector over the picture.
+    fn drawer(&mut self, ui: &Ui, place: Rect) {
         let ground = Frame::side_top_panel(ui.style());
-        let width = usual.min(LEAST.max(place.width() / 2.0)).min(place.width());
-        let room = (vec2(width, place.height()) - ground.total_margin().sum()).max(Vec2::ZERO);
-        let drawer = Area::new(Id::new("drawer")).pivot(pivot).fixed_pos(corner);
+        let room = (place.size() - ground.total_margin().sum()).max(Vec2::ZERO);
+        let drawer = Area::new(Id::new("drawer")).fixed_pos(place.min);
         drawer.order(Order::Middle).show(ui.ctx(), |ui| {
             ground.show(ui, |ui| {
                 ui.set_min_size(room);

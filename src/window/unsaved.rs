@@ -15,7 +15,7 @@ use std::time::Duration;
 use std::{env, mem};
 
 use anyhow::{Context, anyhow};
-use egui::{Align2, Area, Frame, Rect, Ui};
+use egui::{Align2, Area, Frame, Order, Rect, Ui};
 use indicatif::HumanDuration;
 use web_time::SystemTime;
 
@@ -296,6 +296,7 @@ pub fn edits_bar(ui: &Ui, document: &Document, place: Rect, desk: &mut Desk) {
     let age = HumanDuration(age.unwrap_or_default());
     let bar = Area::new(ui.id().with("offer")).pivot(Align2::CENTER_TOP);
     let bar = bar.fixed_pos(place.center_top()).constrain_to(place);
+    let bar = bar.order(Order::Foreground);
     bar.show(ui.ctx(), |ui| {
         ui.set_max_width(place.width());
         Frame::side_top_panel(ui.style()).show(ui, |ui| {

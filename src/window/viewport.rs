@@ -2,8 +2,8 @@
 
 use egui::color_picker::show_color;
 use egui::{
-    Align, Align2, Area, Color32, Event, Frame, Layout, PointerButton, Pos2, Rect, Response,
-    RichText, Sense, Ui, Vec2, vec2,
+    Align2, Area, Color32, Event, Frame, Order, PointerButton, Pos2, Rect, Response, RichText,
+    Sense, Ui, Vec2, vec2,
 };
 use hecs::World;
 
@@ -25,6 +25,8 @@ use crate::trade::error_map::{EDGE, NOTHING, Scale};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
+/// The corner of the legend of squares and errors.
+const LEGEND: Align2 = Align2::LEFT_BOTTOM;
 /// How far beside the divider a press still moves it, in points.
 const REACH: f32 = 10.0;
 /// The divider stays this share of the picture's width away from either edge.
@@ -109,6 +111,7 @@ impl App {
 
     /// Draws the marks at the explained pixel, the legend, the offer of edits, and the error in the scene's file.
     fn draw_marks(&mut self, ui: &mut Ui) {
+        let drawer = self.drawer_place();
         let App {
             document,
             canvas,
@@ -118,37 +121,42 @@ impl App {
         } = self;
         let world = &document.scene.world;
         let viewer = viewer(world);
+        let has_legend = matches!(viewer.show, ViewMode::Error | ViewMode::Tiles);
         if let Some(pixel) = canvas.pixel(&viewer) {
             let at = canvas.place_of(pixel);
             let section = &study.facts.section;
             let probed = study.facts.probed(Some(pixel));
             let probed = probed.filter(|_| section.is_current);
             if let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) {
-                // The drawer is open on the side away from the pixel, and the legend of squares and errors on the left below.
-                let is_hidden = !desk.has_room && desk.tab.is_some() && !canvas.is_right(pixel);
-                let corner = match viewer.show {
-                    _ if !is_hidden => Align2::RIGHT_BOTTOM,
-                    ViewMode::Error | ViewMode::Tiles => Align2::LEFT_TOP,
-                    _ => Align2::LEFT_BOTTOM,
+                let is_free = |corner: &Align2| {
+                    let at = corner.pos_in_rect(&canvas.place);
+                    let is_taken = has_legend && *corner == LEGEND;
+                    !is_taken && !drawer.is_some_and(|it| it.contains(at))
                 };
+                let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::LEFT_TOP];
+                let corner = corners.into_iter().find(is_free).unwrap_or(corners[2]);
                 draw_arrows(ui.painter(), at, surface, world, canvas, corner);
             }
             draw_cross(ui.painter(), at);
         }
         let ground = Frame::side_top_panel(ui.style());
-        if matches!(viewer.show, ViewMode::Error | ViewMode::Tiles) {
-            let corner = Area::new(ui.id().with("legend")).pivot(Align2::LEFT_BOTTOM);
-            let corner = corner.fixed_pos(canvas.place.left_bottom());
+        if has_legend {
+            let corner = Area::new(ui.id().with("legend")).pivot(LEGEND);
+            let corner = corner.fixed_pos(LEGEND.pos_in_rect(&canvas.place));
             corner.constrain_to(canvas.place).show(ui.ctx(), |ui| {
                 ui.set_max_width(canvas.place.width());
                 ground.show(ui, |ui| legend(ui, &viewer, canvas, study));
             });
         }
         edits_bar(ui, document, canvas.place, desk);
-        // Over the picture, whose size would otherwise change twice.
+        // Over the picture, whose size would otherwise change twice, and over the drawer.
         if let Some(error) = &desk.file_error {
             let text = RichText::new(error).monospace().color(BAD);
-            ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
+            let bar = Area::new(ui.id().with("error")).pivot(Align2::LEFT_BOTTOM);
+            let bar = bar.fixed_pos(canvas.place.left_bottom());
+            let bar = bar.constrain_to(canvas.place).order(Order::Foreground);
+            bar.show(ui.ctx(), |ui| {
+                ui.set_max_width(canvas.place.width());
                 ground.show(ui, |ui| ui.label(text))
             });
         }
