@@ -18,10 +18,10 @@ use egui::util::undoer::Undoer;
 use super::file::SceneFile;
 use super::history::{State, history};
 use super::unsaved::Unsaved;
-use crate::components::viewer_mut;
+use crate::components::{Name, Orbit, viewer, viewer_mut};
 use crate::output::{self, quoted};
 use crate::scene::key;
-use crate::scene::{CameraRecord, Scene, SceneRecord};
+use crate::scene::{Scene, SceneRecord};
 
 /// The scene that is open.
 pub struct Document {
@@ -180,31 +180,32 @@ impl Document {
     }
 
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
-    pub fn reload(&mut self, scene: Scene) -> String {
-        let mut record = SceneRecord::clone(&scene.record);
+    pub fn reload(&mut self, mut scene: Scene) -> String {
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
         let offered = self.offer_edits();
-        let find = |cameras: &[CameraRecord], name: &str| {
-            let own = cameras.iter().find(|it| it.name == name);
+        let find = |record: &SceneRecord, name: &str| {
+            let own = record.camera.iter().find(|it| it.name == name);
             own.map(|it| it.orbit)
         };
-        if record.view == saved.view {
-            let mut view = self.state.view.clone();
-            let is_there = |name: &String| find(&record.camera, name).is_some();
-            view.camera = view.camera.filter(is_there).or(record.view.camera);
-            record.view = view;
-        }
-        for camera in &mut record.camera {
-            if find(&saved.camera, &camera.name) == Some(camera.orbit) {
-                let moved = find(&self.state.camera, &camera.name);
-                camera.orbit = moved.unwrap_or(camera.orbit);
+        for (Name(name), orbit) in scene.world.query_mut::<(&Name, &mut Orbit)>() {
+            if find(&saved, name) == Some(*orbit) {
+                *orbit = find(&self.state, name).unwrap_or(*orbit);
             }
         }
+        let mut own = viewer_mut(&mut scene.world);
+        if *own == saved.view {
+            let mut view = self.state.view.clone();
+            let is_there = |name: &String| find(&scene.record, name).is_some();
+            view.camera = view.camera.filter(is_there).or(own.camera.take());
+            *own = view;
+        }
+        own.turns = viewer(&self.scene.world).turns;
+        drop(own);
         let new_name = std::mem::take(&mut self.file.new_name);
         self.file = SceneFile::of(&scene);
         self.file.new_name = new_name;
-        self.scene.text = scene.text;
-        self.restore(&record);
+        let lesson = Arc::clone(&self.scene.lesson);
+        self.scene = Scene { lesson, ..scene };
         match offered {
             Err(error) => format!("read the file again; {error:#}"),
             Ok(()) if had_edits => "read the file again; Ctrl Z brings your edits back".to_owned(),

@@ -171,10 +171,10 @@ impl Study {
                 subject,
                 Question::Probe,
                 |facts| &mut facts.section,
-                async move |scene, view, _| {
+                async move |mut scene, view, _| {
                     // The side of the wipe that the pixel is on.
                     let view = view_at(&viewer, view, pixel[0]);
-                    Ok(probe::section(scene, &view, pixel, level)?)
+                    Ok(probe::section(&mut scene, &view, pixel, level)?)
                 },
             );
         }
@@ -183,7 +183,7 @@ impl Study {
                 subject,
                 Question::Compare,
                 |facts| &mut facts.comparison,
-                async move |scene, view, monitor| {
+                async move |mut scene, view, monitor| {
                     Comparison::of(&mut scene.world, view, level, monitor).await
                 },
             );
@@ -196,7 +196,7 @@ impl Study {
                 subject,
                 Question::Prove,
                 |facts| &mut facts.proof,
-                async move |scene, view, monitor| {
+                async move |mut scene, view, monitor| {
                     prove(&mut scene.world, view, None, level, monitor).await
                 },
             );
@@ -209,7 +209,7 @@ impl Study {
                     Question::Require,
                     |facts| &mut facts.required,
                     async move |scene, view, monitor| {
-                        more_changes(scene, view, found.rows, FEW, monitor).await
+                        more_changes(&scene, view, found.rows, FEW, monitor).await
                     },
                 );
             }
@@ -217,7 +217,7 @@ impl Study {
                 subject,
                 Question::CountSegments,
                 |facts| &mut facts.segments,
-                async |scene, view, monitor| fewest_segments(scene, view, monitor).await,
+                async |scene, view, monitor| fewest_segments(&scene, view, monitor).await,
             );
         }
     }
@@ -240,7 +240,7 @@ impl Study {
             async move |scene, view, monitor| {
                 let request = Request {
                     drawing: Drawing {
-                        scene: scene.snapshot(),
+                        scene,
                         size: view.size,
                         threads,
                         level,
@@ -266,7 +266,7 @@ impl Study {
         subject: &Subject,
         question: Question,
         place: fn(&mut Facts) -> &mut Latest<T>,
-        find: impl AsyncFnOnce(&mut Scene, &View, Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
+        find: impl AsyncFnOnce(Scene, &View, Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
     ) {
         // What is known of these grows.
         let grows = [Question::Measure, Question::Require].contains(&question);
@@ -280,7 +280,7 @@ impl Study {
         let (name, record) = (subject.name.to_owned(), Arc::clone(subject.record));
         let view = subject.view;
         let find = async move |monitor: Monitor<'_>| {
-            find(&mut Scene::spawn(name, &record), &view, monitor).await
+            find(Scene::spawn(name, &record), &view, monitor).await
         };
         // The work before is cancelled first.
         self.work = None;
