@@ -255,6 +255,33 @@ const checks = {
     await until(page, () => shadetrade.outcome().name === "extremes/near-plane-in-corners");
   },
 
+  async "a number is copied, typed and pasted"() {
+    const page = await open({ width: 1366, height: 768 });
+    await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+    const clipboard = () => page.evaluate(() => navigator.clipboard.readText());
+    let copied = "";
+    for (let y = 300; y < 640 && !copied; y += 11) {
+      await page.mouse.click(146, y);
+      await quiet(page, 100);
+      await page.keyboard.press("Control+a");
+      await page.keyboard.press("Control+c");
+      await quiet(page, 100);
+      copied = await clipboard();
+    }
+    assert.match(copied, /^[0-9.]+$/);
+    await page.keyboard.type("123.5");
+    await page.keyboard.press("Control+a");
+    await page.keyboard.press("Control+x");
+    await quiet(page, 100);
+    assert.equal(await clipboard(), "123.5");
+    await page.keyboard.press("Control+v");
+    await page.keyboard.press("Enter");
+    await until(page, () => shadetrade.outcome().title.includes("*"));
+    await page.keyboard.press("Control+z");
+    await until(page, () => !shadetrade.outcome().title.includes("*"));
+    return page;
+  },
+
   async "the keyboard leaves the canvas"(page) {
     await page.focus("#canvas");
     await page.keyboard.press("q");
