@@ -15,6 +15,7 @@ use super::curve::Curve;
 use super::{Panel, Report, Variable};
 use crate::report::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 use crate::report::words::rounded;
+use crate::shading::limit;
 
 /// The size of a panel, and the heights of the heading and of the times, in pixels.
 const PANEL: (u32, u32) = (540, 400);
@@ -46,7 +47,7 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
         key(&header, &report.keys[0].curves)?;
         let panels = panels.split_evenly((rows as usize, columns as usize));
         let mut panels = panels.iter().zip(&report.keys);
-        panels.try_for_each(|(area, panel)| draw(area, panel, report.tolerance))
+        panels.try_for_each(|(area, panel)| draw(area, panel, limit(report.tolerance)))
     })
 }
 
@@ -63,7 +64,7 @@ fn key(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
 }
 
 /// Draws one panel.
-fn draw(area: &Area, panel: &Panel, tolerance: f64) -> anyhow::Result<()> {
+fn draw(area: &Area, panel: &Panel, limit: f64) -> anyhow::Result<()> {
     let name = panel.variable.key.to_string();
     area.draw_text(&name, &text_style(13.0, INK), (58, 8))?;
     let has_times = panel.curves.iter().any(|it| it.milliseconds().is_some());
@@ -71,10 +72,9 @@ fn draw(area: &Area, panel: &Panel, tolerance: f64) -> anyhow::Result<()> {
     let largest =
         |curve: &Curve| -> Vec<f64> { curve.points.iter().map(|it| it.error[1]).collect() };
     let all = panel.curves.iter().flat_map(largest).filter(|it| *it > 0.0);
-    let least = all.fold(tolerance.max(1e-3), f64::min).log10().floor();
+    let least = all.fold(limit.max(1e-3), f64::min).log10().floor();
     let range = 10.0_f64.powf(least).max(LEAST)..MOST;
-    let limit = Some(tolerance).filter(|it| *it > 0.0);
-    lines(&errors, panel, ("levels", range), limit, &|it| {
+    lines(&errors, panel, ("levels", range), Some(limit), &|it| {
         Some(it.error[1])
     })?;
     if has_times {
