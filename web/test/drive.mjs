@@ -14,19 +14,13 @@ const { chromium } = createRequire(join(process.env.TOOLS ?? ".", "here"))("play
 const TYPES = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".wasm": "application/wasm" };
 mkdirSync(output, { recursive: true });
 
+const names = ["index.html", "page.css", "page.js", "pkg/page.js", "pkg/page_bg.wasm"];
+const files = new Map(names.map((name) => [name, gzipSync(readFileSync(join(site, name)))]));
 const server = createServer((request, answer) => {
-  const { pathname } = new URL(request.url, "http://localhost");
-  const name = pathname.endsWith("/") ? `${pathname}index.html` : pathname;
-  try {
-    const content = readFileSync(join(site, name.replace(/^\/page\//, "/")));
-    answer.writeHead(200, { "Content-Type": TYPES[extname(name)] ?? "application/octet-stream", "Content-Encoding": "gzip" });
-    answer.end(gzipped(name, content));
-  } catch {
-    answer.writeHead(404).end();
-  }
+  const name = new URL(request.url, "http://localhost").pathname.replace("/page/", "") || "index.html";
+  answer.writeHead(files.has(name) ? 200 : 404, { "Content-Type": TYPES[extname(name)], "Content-Encoding": "gzip" });
+  answer.end(files.get(name));
 });
-const cache = new Map();
-const gzipped = (name, content) => cache.get(name) ?? cache.set(name, gzipSync(content)).get(name);
 await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
 // Below a folder, because the page has relative addresses.
 const origin = `http://127.0.0.1:${server.address().port}`;
