@@ -205,8 +205,8 @@ impl Page {
     }
 
     fn cells<T: Display>(&mut self, label: &str, cells: [T; 3]) {
-        let width = self.digits + 6;
-        let cells = cells.map(|cell| format!("{:>width$}", cell.to_string()));
+        let width = self.digits + 5;
+        let cells = cells.map(|cell| format!(" {:>width$}", cell.to_string()));
         self.lines
             .push(format!("{label:<LABEL$}{}", cells.concat()));
     }

@@ -92,7 +92,7 @@ impl App {
                 tag(ui.painter(), Align2::LEFT_TOP, corner, name, INK);
             }
         } else if self.desk.tab == Some(Tab::Scene)
-            && let Some(("cuboid", place)) = self.desk.selected
+            && let ("cuboid", place) = self.desk.selected.unwrap_or(("cuboid", 0))
         {
             outline(ui, world, &view, canvas, place);
         }
