@@ -232,7 +232,7 @@ async function follow(name) {
   const bytes = await through(text ?? "", new CompressionStream("deflate"));
   const letters = bytes.length < LONGEST_LINK ? btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_") : "";
   const hash = text === undefined ? name : letters && `scene=${letters}`;
-  history.replaceState(null, "", `${location.pathname}${location.search}#${hash}`);
+  if (known === name) history.replaceState(null, "", `${location.pathname}${location.search}#${hash}`);
 }
 
 async function read() {
@@ -254,9 +254,8 @@ function resize([{ devicePixelContentBoxSize: [box] = [], contentRect }]) {
 }
 
 async function start() {
-  if (!globalThis.WebAssembly?.validate(new Uint8Array(SIMD))) {
-    return fail("this browser has no WebAssembly with SIMD. Chrome 91, Firefox 89, Safari 16.4 and later have it.");
-  }
+  // The note says what is needed.
+  if (!globalThis.WebAssembly?.validate(new Uint8Array(SIMD))) return;
   ({ memory } = await init());
   const edits = Object.entries(storage).filter(([path]) => path.startsWith(UNSAVED));
   for (const [path, text] of edits) insert(path, new TextEncoder().encode(text));

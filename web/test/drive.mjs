@@ -239,6 +239,8 @@ const checks = {
     const { picture: [corner] } = await outcome(page);
     const background = await page.evaluate(({ x, y }) => [...document.getElementById("canvas").getContext("2d").getImageData(x + 3, y + 3, 1, 1).data], corner);
     assert.deepEqual(background, [255, 0, 0, 255]);
+    await edit(page);
+    await until(page, () => Object.keys(localStorage).some((path) => path.startsWith("unsaved/") && path.includes("mine")));
     await drop(page, "broken.toml", "light = 3");
     await until(page, () => /broken\.toml/.test(shadetrade.outcome().message ?? ""));
     assert.equal((await outcome(page)).name, "mine.toml");
@@ -320,6 +322,11 @@ const checks = {
     await page.evaluate(() => dispatchEvent(new ErrorEvent("error", { message: "a test" })));
     assert.match(await page.textContent("#note"), /has ended: a test/);
     assert.ok(await page.isVisible("#note"));
+    const old = await page.context().newPage();
+    await old.addInitScript(() => { WebAssembly.validate = () => false; });
+    await old.goto(address);
+    await quiet(old, 500);
+    assert.ok(await old.isVisible("text=It needs scripts, and WebAssembly with SIMD"));
   },
 
   async "other windows, also of a phone"() {
