@@ -8,8 +8,8 @@
 //! ```
 
 use egui::{
-    Align, Align2, Color32, FontId, Layout, Pos2, Rect, Sense, Ui, Vec2, WidgetInfo, WidgetType,
-    vec2,
+    Align, Align2, Color32, FontId, Label, Layout, Pos2, Rect, RichText, Sense, Ui, Vec2,
+    WidgetInfo, WidgetType, vec2,
 };
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 use hecs::World;
@@ -68,19 +68,21 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
         ui.set_min_height(SENTENCE);
         sentence_about(ui, trade.value.as_deref().unwrap_or_default(), method);
     });
-    ui.horizontal(|ui| {
-        let caption = ui.small(match (trade.is_current, study.progress()) {
-            (false, Some((step, _))) => step,
-            (false, None) if trade.value.is_none() => "times follow".to_owned(),
-            (false, None) => "measured before the last change; new times follow".to_owned(),
-            _ => {
-                let axes = "up: error, levels; right: ms a frame";
-                format!("{axes}{}", resolution(clock_step()))
-            }
-        });
-        caption.on_hover_text(CAPTION);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            offer(ui, desk, Action::Worst, false);
+    let caption = match (trade.is_current, study.progress()) {
+        (false, Some((step, _))) => step,
+        (false, None) if trade.value.is_none() => "times follow".to_owned(),
+        (false, None) => "measured before the last change; new times follow".to_owned(),
+        _ => {
+            let axes = "up: error, levels; right: ms";
+            format!("{axes}{}", resolution(clock_step()))
+        }
+    };
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        offer(ui, desk, Action::Worst, false);
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let caption = Label::new(RichText::new(caption).small()).truncate();
+            ui.add(caption).on_hover_text(CAPTION);
         });
     });
     let measured = trade.value.iter().flatten().cloned();
@@ -131,7 +133,7 @@ fn resolution(step: f64) -> String {
     if step < SEEN_STEP {
         return String::new();
     }
-    format!(" (clock: {} ms)", short(step))
+    format!(", clock {}", rounded(step, 1))
 }
 
 /// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.
