@@ -47,13 +47,18 @@ pub fn height(world: &World, view: &View) -> f64 {
 }
 
 /// The corners of each cuboid relative to the eye, along right, up and forward.
-pub fn corners(world: &World, view: &View, lens: &Lens) -> Vec<[DVec3; 8]> {
+fn corners(world: &World, view: &View, lens: &Lens) -> Vec<[DVec3; 8]> {
     in_file_order::<(&Mesh, &Transform), _>(world, |(mesh, transform)| {
-        let transform = transform.turned(view.turned);
-        let axes = transform.axes();
-        mesh.corners
-            .map(|corner| lens.seen(axes * corner + transform.position))
+        corners_of(mesh, transform, view, lens)
     })
+}
+
+/// The corners of a cuboid relative to the eye, along right, up and forward.
+pub fn corners_of(mesh: &Mesh, transform: &Transform, view: &View, lens: &Lens) -> [DVec3; 8] {
+    let transform = transform.turned(view.turned);
+    let axes = transform.axes();
+    mesh.corners
+        .map(|corner| lens.seen(axes * corner + transform.position))
 }
 
 /// For each side of the picture a vector whose product with a homogeneous point is positive outside of it.

@@ -17,7 +17,9 @@ use super::study::Study;
 use super::tags::tags;
 use super::unsaved::edits_bar;
 use super::widgets::{BAD, INK, tag, wait};
-use crate::components::{Lens, LightKind, View, ViewMode, Viewer, viewer, viewer_mut};
+use crate::components::{
+    FileOrder, Lens, LightKind, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
+};
 use crate::drawing::unseen;
 use crate::paint::color;
 use crate::shading::SquareKind;
@@ -166,10 +168,12 @@ impl App {
 /// Draws the edges of a cuboid, unless a corner is before the near plane.
 fn outline(ui: &Ui, world: &World, view: &View, canvas: &Canvas, place: usize) {
     let lens = Lens::new(view);
-    let cuboids = unseen::corners(world, view, &lens);
-    let Some(corners) = cuboids.get(place) else {
+    let mut cuboids = world.query::<(&FileOrder, &Mesh, &Transform)>();
+    let is_it = |it: &(&FileOrder, &Mesh, &Transform)| it.0.0 as usize == place;
+    let Some((_, mesh, transform)) = cuboids.iter().find(is_it) else {
         return;
     };
+    let corners = unseen::corners_of(mesh, transform, view, &lens);
     if corners.iter().any(|corner| corner.z <= lens.near) {
         return;
     }

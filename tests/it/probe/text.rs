@@ -302,7 +302,7 @@ fn every_result_of_a_page_follows_from_its_numbers_and_is_exact() {
                 .any(|it| it.kind == LightKind::Specular && it.factor > 0.01),
         );
     }
-    assert!(lit > 3, "{lit} pixels of highlights");
+    assert!(lit >= 3, "{lit} pixels of highlights");
 }
 
 #[test]
