@@ -175,6 +175,13 @@ fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
         edit(&program);
         match way {
             "signal" => assert!(signal::send("TERM", &program.child)),
+            "q" => {
+                // The first press says that edits are not saved.
+                let before = program.picture();
+                program.press("q");
+                until("a question", || program.picture() != before);
+                program.press("q");
+            }
             key => program.press(key),
         }
         assert!(program.ended().success(), "{way}");
