@@ -25,6 +25,7 @@ pub mod segments;
 use serde::Serialize;
 
 use crate::components::{Mesh, NormalMode, ShadingMode, View, ordered};
+use crate::frame::display_pixel;
 use crate::metrics::{difference, ends};
 use crate::reference::{Interval, Real, Reference, Rule, Seen};
 use crate::report::Monitor;
@@ -161,6 +162,52 @@ impl Change {
     }
 }
 
+/// The rule among parts.
+fn rule(parts: &[Part]) -> Option<Rule> {
+    parts.iter().find_map(|part| match part {
+        Part::Rule(rule) => Some(*rule),
+        _ => None,
+    })
+}
+
+/// The picture without a part, as the reference draws it, 0x00RRGGBB.
+///
+/// # Errors
+/// If the work is cancelled.
+pub async fn picture_without(
+    scene: &Scene,
+    view: &View,
+    part: Part,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<u32>> {
+    let (world, view) = (&without(scene, &[part]).world, &view.unshaded());
+    if part == Part::F64 {
+        pixels(&Reference::<f32>::without(world, view, None), view, monitor).await
+    } else {
+        let reference = Reference::<f64>::without(world, view, rule(&[part]));
+        pixels(&reference, view, monitor).await
+    }
+}
+
+/// The pixels of a picture in floats.
+async fn pixels<R: Real>(
+    picture: &Reference<R>,
+    view: &View,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<u32>> {
+    let row = |y| {
+        let mut row = Vec::with_capacity(view.size[0]);
+        picture.row(y, |_, seen| {
+            let levels = seen[0].levels.map(|level| level.endpoints()[0]);
+            row.push(display_pixel(levels));
+        });
+        Ok(row)
+    };
+    let height = view.size[1];
+    let rows = monitor.in_parallel("leaving out a part", 0..height, [0, height], row);
+    Ok(rows.await?.concat())
+}
+
 /// One change for each list of parts. All parts of a list, at most one of them a [`Part::Rule`], are left out together.
 /// Computed on rayon's current threads. Each cuboid keeps its own shading, which a part may change.
 ///
@@ -182,10 +229,7 @@ pub async fn changes(
         // The picture without some parts, and whether its levels are enclosed.
         let picture = |parts: &Vec<Part>| {
             let world = &without(scene, parts).world;
-            let rule = parts.iter().find_map(|part| match part {
-                Part::Rule(rule) => Some(*rule),
-                _ => None,
-            });
+            let rule = rule(parts);
             if parts.contains(&Part::F64) {
                 (rows(Reference::<f32>::without(world, view, rule)), false)
             } else {

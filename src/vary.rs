@@ -8,9 +8,10 @@
 //! level. Where a contender ceases to keep the tolerance is then searched by bisection.
 
 pub mod curve;
-mod export;
+pub mod export;
 pub mod picture;
 mod plot;
+pub mod refined;
 pub mod variable;
 
 use std::path::Path;
@@ -25,8 +26,8 @@ use self::variable::Variable;
 use crate::components::View;
 use crate::drawing::{Drawing, camera_name, unseen};
 use crate::output::{self, one_line, print, say};
-use crate::report::Monitor;
 use crate::report::progress::with_bar;
+use crate::report::{Monitor, finished};
 use crate::scene::key::Key;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
@@ -80,7 +81,14 @@ impl Request {
     }
 
     fn errors(&self, record: &SceneRecord, contenders: &[Contender]) -> anyhow::Result<Errors> {
-        errors(record, self.drawing.size, contenders, self.drawing.level)
+        let drawing = &self.drawing;
+        finished(errors(
+            record,
+            drawing.size,
+            contenders,
+            drawing.level,
+            Monitor::NONE,
+        ))
     }
 
     /// The median times of a frame by contender, in milliseconds; `None` of what is no method or not timed.

@@ -40,6 +40,7 @@ mod tags;
 #[cfg(not(target_family = "wasm"))]
 mod taps;
 pub mod unsaved;
+pub mod varied;
 mod viewport;
 pub mod widgets;
 pub mod words;

@@ -7,7 +7,7 @@ use super::variable::Variable;
 use crate::prove::Verdict;
 
 /// Ends are searched to this share of the range.
-const RESOLUTION: f64 = 0.01;
+pub const RESOLUTION: f64 = 0.01;
 
 /// The errors at one value.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -10,6 +10,7 @@ use crate::components::{Segments, ShadingMode, View};
 use crate::frame::{Frame, Keep, Workers};
 use crate::prove::{nearest, shown};
 use crate::reference::{Interval, Real, Reference, Seen};
+use crate::report::Monitor;
 use crate::scene::SceneRecord;
 use crate::shading::{METHODS, Method};
 use crate::systems;
@@ -81,12 +82,13 @@ type Shown<'a> = Box<dyn Fn([usize; 2]) -> (Option<usize>, [f64; 3]) + 'a>;
 /// Draws the picture of a scene from its active camera by each contender, and compares every pixel with enclosures.
 ///
 /// # Errors
-/// If a picture does not fit in memory.
-pub fn errors(
+/// If a picture does not fit in memory, or the work is cancelled.
+pub async fn errors(
     record: &SceneRecord,
     size: [usize; 2],
     contenders: &[Contender],
     level: Level,
+    monitor: Monitor<'_>,
 ) -> anyhow::Result<Errors> {
     let mut world = record.spawn();
     let view = View::of(&world, size);
@@ -151,6 +153,8 @@ pub fn errors(
                 }
             });
         }
+        monitor.check()?;
+        monitor.rest().await;
     }
     for (contender, error) in contenders.iter().zip(&mut found.of) {
         if definition(contender).is_none() {

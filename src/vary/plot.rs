@@ -129,42 +129,7 @@ impl Positions<'_> {
 
     /// The places of round values.
     fn marks(&self) -> Vec<f64> {
-        let (from, to) = (self.0.from, self.0.to);
-        let values = if self.0.logarithmic {
-            let sign = from.signum();
-            let ends = [from.abs(), to.abs()];
-            let range = ends[0].min(ends[1])..ends[0].max(ends[1]);
-            chart::ticks(&range)
-                .into_iter()
-                .map(|it| it * sign)
-                .collect()
-        } else {
-            even(from, to)
-        };
-        values.into_iter().map(|value| self.of(value)).collect()
-    }
-}
-
-/// At most seven round numbers in even steps.
-fn even(from: f64, to: f64) -> Vec<f64> {
-    let least = (to - from) / 6.0;
-    let power = 10.0_f64.powf(least.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
-    let step = steps.into_iter().find(|step| *step >= least);
-    let step = step.unwrap_or(10.0 * power);
-    let first = (from / step).ceil() as i64;
-    let numbers = (first..).map(|number| number as f64 * step);
-    numbers.take_while(|value| *value <= to).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn even_marks_are_round() {
-        assert_eq!(even(0.0, 30.0), [0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0]);
-        assert_eq!(even(-1.0, 1.0), [-1.0, -0.5, 0.0, 0.5, 1.0]);
-        assert_eq!(even(3.0, 4.4), [3.0, 3.5, 4.0]);
+        let values = self.0.marks().into_iter();
+        values.map(|value| self.of(value)).collect()
     }
 }

@@ -4,11 +4,26 @@ use anyhow::{Context, bail, ensure};
 use serde::{Serialize, Serializer};
 use toml::Value;
 
+use crate::components::range;
+use crate::report::chart::ticks;
 use crate::scene::SceneRecord;
 use crate::scene::key::{self, Key};
 
 /// The ratio of the ends from which on steps are those of the logarithm.
 const MANY: f64 = 10.0;
+
+/// The present value of a key.
+///
+/// # Errors
+/// If the scene has no such number.
+pub fn present(key: &Key, record: &SceneRecord) -> anyhow::Result<f64> {
+    match key.read(record)? {
+        Some(Value::Integer(whole)) => Ok(whole as f64),
+        Some(Value::Float(number)) => Ok(number),
+        Some(_) => bail!("{key} is no number"),
+        None => bail!("{key} is left out"),
+    }
+}
 
 /// A key of a scene, and the ends of its range.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -79,6 +94,38 @@ impl Variable {
         Ok(variable)
     }
 
+    /// The range that people look at first: that of the key where it is short, else from a tenth of the present value to ten
+    /// times it.
+    ///
+    /// # Errors
+    /// If the scene has no such number.
+    pub fn around(key: Key, record: &SceneRecord) -> anyhow::Result<Self> {
+        let value = present(&key, record)?;
+        // A number of a vector or a colour has the range of that.
+        let is_part = key.last().len() == 1;
+        let parts = key.parts().iter().rev();
+        let name = parts.skip(usize::from(is_part)).map(|it| &**it).next();
+        let name = name.unwrap_or_default();
+        let [from, to] = match name {
+            "segments" => [1.0, 256.0],
+            "fov" => [5.0, 150.0],
+            "tolerance" => [0.1, 255.0],
+            "background" => [0.0, 255.0],
+            "rotation" | "azimuth" => [-180.0, 180.0],
+            "elevation" => [-80.0, 80.0],
+            "position" | "target" | "up" => {
+                [-1.0, 1.0].map(|way| value + way * value.abs().max(1.0))
+            }
+            "ambient" | "diffuse" | "specular" | "color" => [0.0, 1.0],
+            _ if value == 0.0 => [0.0, 1.0],
+            _ => {
+                let (least, most) = range::of_key(name).into_inner();
+                [value / 10.0, value * 10.0].map(|end| end.clamp(least, most))
+            }
+        };
+        Variable::new(key, [from.min(value), to.max(value)], record)
+    }
+
     /// The place of a value in the range, 0..=1 in steps.
     pub fn share(&self, value: f64) -> f64 {
         if self.logarithmic {
@@ -123,5 +170,42 @@ impl Variable {
             Value::Float(value)
         };
         key::set(record, &[(self.key.clone(), value)])
+    }
+
+    /// Round values of the range, for an axis.
+    pub fn marks(&self) -> Vec<f64> {
+        if !self.logarithmic {
+            return even(self.from, self.to);
+        }
+        let (least, most) = (
+            self.from.abs().min(self.to.abs()),
+            self.from.abs().max(self.to.abs()),
+        );
+        let marks = ticks(&(least..most)).into_iter();
+        marks.map(|mark| mark * self.from.signum()).collect()
+    }
+}
+
+/// At most seven round numbers in even steps.
+fn even(from: f64, to: f64) -> Vec<f64> {
+    let least = (to - from) / 6.0;
+    let power = 10.0_f64.powf(least.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
+    let step = steps.into_iter().find(|step| *step >= least);
+    let step = step.unwrap_or(10.0 * power);
+    let first = (from / step).ceil() as i64;
+    let numbers = (first..).map(|number| number as f64 * step);
+    numbers.take_while(|value| *value <= to).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn even_marks_are_round() {
+        assert_eq!(even(0.0, 30.0), [0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0]);
+        assert_eq!(even(-1.0, 1.0), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        assert_eq!(even(3.0, 4.4), [3.0, 3.5, 4.0]);
     }
 }

@@ -172,7 +172,9 @@ impl App {
         let size = self.canvas.size();
         self.viewer_mut().set_pixel(pixel, size);
         // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.tab != Some(Tab::Scene) {
+        if self.desk.tab == Some(Tab::Scene) {
+            self.desk.say("the tab Pixel explains it");
+        } else {
             self.desk.tab = Some(Tab::Pixel);
         }
     }

@@ -23,6 +23,7 @@ use super::desk::{Command, Desk, TURN};
 use super::document::Document;
 use super::file::INTERVAL;
 use super::inspector::Tab;
+use super::pictures::or_dimmed;
 use super::study::{Background, Study, Subject, change};
 use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::drawing::Drawing;
@@ -128,8 +129,13 @@ impl App {
 
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
-        let (viewer, turn) = (self.viewer(), self.desk.turn());
-        self.canvas.shown(&viewer, &self.study.facts, turn)
+        let (viewer, facts) = (self.viewer(), &self.study.facts);
+        if let Some(part) = self.desk.shown_without() {
+            let known = facts.left_out.current().filter(|it| it.0 == part);
+            let known = known.map(|it| &*it.1);
+            return or_dimmed(known, self.canvas.pictures.frame.pixels());
+        }
+        self.canvas.shown(&viewer, facts, self.desk.turn())
     }
 
     /// Applies the events of `input`, whose places are in pixels, and draws the window of `size` pixels.
@@ -266,6 +272,9 @@ impl App {
         let Document { scene, state, .. } = &mut self.document;
         self.canvas
             .draw(self.desk.now, &mut scene.world, state, view)?;
+        if let Some(varied) = &mut self.desk.varied {
+            varied.look(state, view.size);
+        }
         let subject = Subject {
             name: &scene.name,
             record: state,
@@ -333,6 +342,7 @@ impl App {
         match command {
             Command::Run(action) => self.run(action),
             Command::Worst(side) => self.explain_worst(Some(side)),
+            Command::Vary(key) => self.desk.vary(key, &self.document.state),
             Command::StepBack => {
                 let size = self.canvas.size();
                 controls::step_back(&mut self.document.scene.world, size);

@@ -4,7 +4,10 @@ use std::time::Duration;
 
 use super::inspector::Tab;
 use super::keys::Action;
+use super::varied::Varied;
+use crate::requires::Part;
 use crate::scene::Scene;
+use crate::scene::key::Key;
 
 /// How long each of two pictures is shown while they take turns.
 pub const TURN: Duration = Duration::from_millis(500);
@@ -29,6 +32,10 @@ pub struct Desk {
     pub has_room: bool,
     /// The open tab of the inspector; `None` is folded.
     pub tab: Option<Tab>,
+    /// The number that the tab Vary shows.
+    pub varied: Option<Varied>,
+    /// The part of the model without which the picture is shown, while the tab for required parts is open.
+    pub left_out: Option<Part>,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
     /// Of the status line, and when it goes.
@@ -51,6 +58,8 @@ pub enum Command {
     /// Explains the worst pixel of a side of a wipe, left (0) or right (1).
     Worst(usize),
     Open(Box<Scene>),
+    /// Shows a number against the error.
+    Vary(Key),
     /// Moves the camera away until what was added is in sight.
     StepBack,
     RestoreEdits,
@@ -87,6 +96,11 @@ impl Desk {
     pub fn turn(&self) -> Option<usize> {
         let passed = self.now.saturating_sub(self.blinks?);
         Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
+    }
+
+    /// The part without which the picture is shown.
+    pub fn shown_without(&self) -> Option<Part> {
+        self.left_out.filter(|_| self.tab == Some(Tab::Required))
     }
 
     /// Closes the uppermost thing that can be closed. Returns whether there was one.

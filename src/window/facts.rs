@@ -16,17 +16,27 @@ use crate::drawing::all_cores;
 use crate::probe::Probe;
 use crate::prove::Proof;
 use crate::report::{Monitor, finished};
-use crate::requires::PartChanges;
 use crate::requires::segments::FewestSegments;
+use crate::requires::{Part, PartChanges};
 use crate::shading::Method;
 use crate::trade::Measurement;
+use crate::vary::refined::Refined;
 
 /// The last value found, perhaps of an earlier picture.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Latest<T> {
     pub value: Option<T>,
     /// Whether it is about the present picture. The value of an earlier one stays until then.
     pub is_current: bool,
+}
+
+impl<T> Default for Latest<T> {
+    fn default() -> Self {
+        Latest {
+            value: None,
+            is_current: false,
+        }
+    }
 }
 
 impl<T> Latest<T> {
@@ -47,9 +57,13 @@ pub struct Facts {
     pub section: Latest<Vec<Probe>>,
     pub comparison: Latest<Comparison>,
     pub proof: Latest<Proof>,
+    /// The picture without a part.
+    pub left_out: Latest<(Part, Vec<u32>)>,
     /// It is current from its first rows on.
     pub required: Latest<PartChanges>,
     pub segments: Latest<Vec<FewestSegments>>,
+    /// Those of a number that is varied. They are about their own scene, whatever the picture is.
+    pub curves: Latest<Refined>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Latest<Vec<Measurement>>,
 }
@@ -60,6 +74,7 @@ impl Facts {
         self.section.is_current = false;
         self.comparison.is_current = false;
         self.proof.is_current = false;
+        self.left_out.is_current = false;
         self.required.is_current = false;
         self.segments.is_current = false;
         self.trade.is_current &= is_same_view;
@@ -90,6 +105,10 @@ pub enum Question {
     /// The values at the probed pixel, and along its row on the face seen there.
     Probe,
     Compare,
+    /// It is asked while its tab is open.
+    Vary,
+    /// A part was clicked.
+    LeaveOut,
     /// The timing of all methods, which takes less time than a proof.
     Measure,
     Prove,

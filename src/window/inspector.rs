@@ -1,14 +1,15 @@
-//! The inspector: tabs for the probed pixel, the scene's numbers, the required parts of the model, and the proof.
+//! The inspector: tabs for the probed pixel, the scene's numbers, the required parts of the model, the proof, and a number that
+//! is varied.
 
 mod pixel;
 mod scene;
-
-use std::iter;
+mod vary;
 
 use egui::{Grid, Ui};
 
 pub use self::scene::entity_of;
 use super::app::App;
+use super::desk::Desk;
 use super::study::Study;
 use super::widgets::{INK, scrolled, short, wait};
 use crate::requires::{PartChange, ranked};
@@ -24,6 +25,8 @@ pub enum Tab {
     Required,
     /// The number of proven pixels.
     Proof,
+    /// A number of the scene against error.
+    Vary,
 }
 
 /// The width of a table's columns before the last, in points.
@@ -31,11 +34,12 @@ const NUMBERS: f32 = 100.0;
 
 /// The tabs with their names and sentences.
 #[rustfmt::skip]
-const TABS: [(Tab, &str, &str); 4] = [
+const TABS: [(Tab, &str, &str); 5] = [
     (Tab::Pixel, "Pixel", "The computation at a pixel: click one in the picture."),
     (Tab::Scene, "Scene", "Every number of the scene (E)."),
     (Tab::Required, "Required", "The parts of the model that this picture requires (N)."),
     (Tab::Proof, "Proof", "The proof that the picture keeps its tolerance."),
+    (Tab::Vary, "Vary", "A number of the scene against the error (V)."),
 ];
 
 /// Lays out the tabs and the one that is open, of a drawer with a button that folds it.
@@ -69,34 +73,45 @@ pub fn inspector(ui: &mut Ui, app: &mut App, is_drawer: bool) {
     scrolled(ui, tab, |ui| match tab {
         Tab::Pixel => pixel::tab(ui, &mut document.scene.world, canvas, study),
         Tab::Scene => scene::tab(ui, document, desk),
-        Tab::Required => required_tab(ui, study, document.state.view.tolerance),
+        Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),
         Tab::Proof => proof_tab(ui, study),
+        Tab::Vary => vary::tab(ui, document, study, desk),
     });
 }
 
 /// A row for each part of the model, the one with the largest error first.
-fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
+fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
     ui.label(format!(
         "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
-         {tolerance} needs the part. Tooltips describe the picture without it."
+         {tolerance} needs the part. A click on a part shows the picture without it, and another click the picture again."
     ));
     let facts = &study.facts;
     let required = &facts.required;
     let is_all = required.current().is_some_and(|it| it.is_all);
     wait(ui, study, is_all);
-    let part = |part: &PartChange| {
-        let says = part.part.says();
-        let is_kept = part.change.keeps(tolerance);
-        let verdict = if is_kept { "no" } else { "yes" };
-        let most = short(part.change.most());
-        (vec![most, verdict.to_owned(), part.name.clone()], says)
-    };
-    let head = ["error", "needed", "part"].map(str::to_owned).to_vec();
-    let head = (head, "");
     let rows = required.value.as_ref().map(|it| it.rows.clone());
-    let ranked = ranked(rows.unwrap_or_default());
-    let rows = iter::once(head).chain(ranked.iter().map(part));
-    table(ui, "required", rows);
+    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
+    let table = Grid::new("required").striped(true).min_col_width(0.0);
+    table.max_col_width(words).show(ui, |ui| {
+        for head in ["error", "needed", "part"] {
+            ui.colored_label(INK, head);
+        }
+        ui.end_row();
+        for PartChange {
+            part, name, change, ..
+        } in ranked(rows.unwrap_or_default())
+        {
+            ui.colored_label(INK, short(change.most()));
+            let is_kept = change.keeps(tolerance);
+            ui.colored_label(INK, if is_kept { "no" } else { "yes" });
+            let is_left_out = desk.left_out == Some(part);
+            let row = ui.selectable_label(is_left_out, name);
+            if row.on_hover_text(part.says()).clicked() {
+                desk.left_out = (!is_left_out).then_some(part);
+            }
+            ui.end_row();
+        }
+    });
     if is_all {
         wait(ui, study, facts.segments.is_current);
     }
@@ -110,23 +125,6 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
             "The fewest cells of each face with which Gouraud keeps the tolerance against exact Phong, proven.",
         );
     }
-}
-
-/// Lays out a table with a tooltip for each row. The words in its last column wrap.
-fn table(ui: &mut Ui, name: &str, rows: impl Iterator<Item = (Vec<String>, &'static str)>) {
-    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
-    let table = Grid::new(name).striped(true).min_col_width(0.0);
-    table.max_col_width(words).show(ui, |ui| {
-        for (row, says) in rows {
-            for cell in row {
-                let label = ui.colored_label(INK, cell);
-                if !says.is_empty() {
-                    label.on_hover_text(says);
-                }
-            }
-            ui.end_row();
-        }
-    });
 }
 
 /// The counts of the proof.
@@ -155,6 +153,13 @@ fn proof_tab(ui: &mut Ui, study: &Study) {
             ),
         ]
     });
-    let rows = rows.map(|(number, words)| (vec![number, words.to_owned()], ""));
-    table(ui, "proof", rows);
+    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
+    let table = Grid::new("proof").striped(true).min_col_width(0.0);
+    table.max_col_width(words).show(ui, |ui| {
+        for (number, words) in rows {
+            ui.colored_label(INK, number);
+            ui.colored_label(INK, words);
+            ui.end_row();
+        }
+    });
 }

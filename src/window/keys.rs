@@ -133,6 +133,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
     ("Scene", &[
         ("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
         ("required parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
+        ("vary", "Shows a number of the scene against the error.", &[(NO, Key::V, Action::Tab(Tab::Vary))]),
         ("next", "The next step of the lesson.", &[(NO, Key::Enter, Action::Step(1))]),
         ("back", "The step of the lesson before.", &[(NO, Key::Backspace, Action::Step(-1))]),
         ("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),

@@ -149,6 +149,9 @@ impl App {
 
 /// The name of what is shown in place of the picture: a picture that has its turn, or a wipe.
 fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<String> {
+    if let Some(part) = desk.shown_without() {
+        return Some(part.says().to_owned());
+    }
     let is_wipe = viewer.show == ViewMode::Wipe;
     match desk.turn() {
         Some(turn) if is_wipe => Some(side_name(&viewer.sides[turn], method)),

@@ -17,7 +17,10 @@ use super::document::Document;
 use super::facts::Facts;
 use super::inspector::Tab;
 use super::keys::{Action, EXACT_SIDES, caption, keys};
-use super::widgets::{action_button, color_button, number, offer, slider};
+use super::varied::common_keys;
+use super::widgets::{
+    action_button, color_button, number, offer, slider, slider_beside, vary_button,
+};
 use super::words::about;
 use crate::components::range::{self, Milliseconds, Strength};
 use crate::components::{
@@ -25,6 +28,7 @@ use crate::components::{
     common, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::drawing::camera_name;
+use crate::scene::key::Key;
 use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence};
 
 const SEGMENTS: [&str; 3] = [
@@ -35,8 +39,8 @@ const SEGMENTS: [&str; 3] = [
 
 /// The height of the outcome, in points: room for two lines, so that the rows below do not move.
 const OUTCOME: f32 = 34.0;
-/// The room of a light's colour, strength and key, in points.
-const OF_LIGHT: f32 = 112.0;
+/// The room of a light's colour, strength, key and button, in points.
+const OF_LIGHT: f32 = 134.0;
 
 const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. \
                         A number is added if the name is taken.";
@@ -58,7 +62,7 @@ pub fn panel(ui: &mut Ui, app: &mut App) {
     section(ui, "Shading", |ui| {
         shading_rows(ui, world, choice, &study.facts, time, desk);
     });
-    section(ui, "Lights", |ui| light_rows(ui, world));
+    section(ui, "Lights", |ui| light_rows(ui, world, desk));
     section(ui, "View", |ui| view_rows(ui, &viewer(world), desk));
     section(ui, "Camera", |ui| camera_rows(ui, world, desk));
     section(ui, "Scene", |ui| scene_rows(ui, document, desk));
@@ -82,7 +86,10 @@ fn shading_rows(
     });
     let count = common::<Segments>(world).map_or(1.0, |it| it.count() as f64);
     let mut changed = count;
-    slider(ui, SEGMENTS, &mut changed, range::of_key("segments"), 1.0);
+    let segments = range::of_key("segments");
+    slider_beside(ui, SEGMENTS, &mut changed, segments, 1.0, |ui| {
+        vary_common(ui, world, "segments", desk);
+    });
     if changed != count
         && let Some(segments) = Segments::new(changed.round() as u32)
     {
@@ -103,7 +110,9 @@ fn shading_rows(
         let mut changed = tolerance;
         let least = Viewer::LEAST_TOLERANCE;
         let words = ["tolerance", "[ ]", about("tolerance")];
-        slider(ui, words, &mut changed, 0.0..=255.0, least);
+        slider_beside(ui, words, &mut changed, 0.0..=255.0, least, |ui| {
+            vary_common(ui, world, "tolerance", desk);
+        });
         if changed != tolerance {
             set_tolerance(world, if changed < least { 0.0 } else { changed });
         }
@@ -121,8 +130,17 @@ fn shading_rows(
     });
 }
 
+/// The button that varies one of the common numbers.
+fn vary_common(ui: &mut Ui, world: &World, name: &str, desk: &mut Desk) {
+    if vary_button(ui) {
+        let keys = common_keys(world).into_iter();
+        let key = keys.filter(|it| it.0 == name).map(|it| it.1).next();
+        desk.commands.extend(key.map(Command::Vary));
+    }
+}
+
 /// A row for each light.
-pub fn light_rows(ui: &mut Ui, world: &World) {
+pub fn light_rows(ui: &mut Ui, world: &World, desk: &mut Desk) {
     let lights = ordered::<Light>(world);
     if lights.is_empty() {
         ui.weak("The scene has no lights.");
@@ -130,11 +148,11 @@ pub fn light_rows(ui: &mut Ui, world: &World) {
     let rows = |ui: &mut Ui, places: std::ops::Range<usize>| {
         // Long names are cut, so that colour, strength and key keep their room.
         let name = ui.available_width() - OF_LIGHT;
-        let grid = Grid::new("lights").num_columns(4).min_col_width(0.0);
+        let grid = Grid::new("lights").num_columns(5).min_col_width(0.0);
         grid.max_col_width(name).show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
             for place in places {
-                light_row(ui, world, lights[place], place);
+                light_row(ui, world, lights[place], place, desk);
                 ui.end_row();
             }
         });
@@ -144,7 +162,7 @@ pub fn light_rows(ui: &mut Ui, world: &World) {
     scroll.show_rows(ui, height, lights.len(), rows);
 }
 
-fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
+fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize, desk: &mut Desk) {
     let mut query = world.query_one::<(&Name, &mut Light)>(entity);
     let Ok((name, light)) = query.get() else {
         return;
@@ -161,6 +179,10 @@ fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
     color_button(ui, &mut light.color);
     let says = "Intensity of the light, 0 to 1e30.";
     number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
+    if vary_button(ui) {
+        let key = Key::from("light").child(&name.0).child("intensity");
+        desk.commands.push(Command::Vary(key));
+    }
 }
 
 /// The ways to show the picture.
@@ -204,6 +226,8 @@ fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
             }
         });
         ui.weak(caption(Action::NextCamera));
+        ui.label("zoom");
+        vary_common(ui, world, "zoom", desk);
     });
     let Viewer {
         mut projection,

@@ -16,7 +16,7 @@ use crate::shading::{Method, SquareKind};
 use crate::systems;
 
 /// The weight of a square's tint, of 256, and that on its outline.
-const TINT_WEIGHT: u32 = 112;
+const TINT_WEIGHT: u32 = 168;
 const OUTLINE_WEIGHT: u32 = 232;
 
 /// The tint of each of [`SquareKind::ALL`], 0x00RRGGBB: Okabe and Ito's colours (2008), which people who are colour-blind can

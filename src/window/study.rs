@@ -20,8 +20,8 @@ use crate::frame::Workers;
 use crate::probe;
 use crate::prove::prove;
 use crate::report::Monitor;
-use crate::requires::more_changes;
 use crate::requires::segments::fewest_segments;
+use crate::requires::{more_changes, picture_without};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{Method, methods};
 use crate::trade::batch::time_here;
@@ -29,7 +29,7 @@ use crate::trade::{Request, is_timed, measure};
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
-/// The parts of the model that are left out between two looks at the result.
+/// The parts of the model that are left out, or the values of a number that are drawn, between two looks at the result.
 const FEW: usize = 4;
 /// How long the frames of all methods are timed together.
 const TIMING: Duration = Duration::from_secs(1);
@@ -188,6 +188,22 @@ impl Study {
                 },
             );
         }
+        if let Some(part) = desk.shown_without() {
+            let known = self.facts.left_out.value.as_ref();
+            self.facts.left_out.is_current &= known.is_some_and(|it| it.0 == part);
+            self.find(
+                subject,
+                Question::LeaveOut,
+                |facts| &mut facts.left_out,
+                async move |scene, view, monitor| {
+                    let pixels = picture_without(&scene, view, part, monitor).await?;
+                    Ok((part, pixels))
+                },
+            );
+        }
+        if desk.tab == Some(Tab::Vary) {
+            self.vary(subject, desk);
+        }
         if is_live && desk.shows_times {
             self.measure(subject);
         }
@@ -220,6 +236,26 @@ impl Study {
                 async |scene, view, monitor| fewest_segments(&scene, view, monitor).await,
             );
         }
+    }
+
+    /// Refines the curves of the number that is varied.
+    fn vary(&mut self, subject: &Subject, desk: &Desk) {
+        let wanted = desk.varied.as_ref().map(|varied| &varied.wanted);
+        let Some(Ok((_, wanted))) = wanted else {
+            return;
+        };
+        let known = self.facts.curves.value.as_ref();
+        let known = known.filter(|it| it.is_same(wanted)).unwrap_or(wanted);
+        if known.is_all {
+            return;
+        }
+        let (known, level) = (known.clone(), subject.workers.level());
+        self.find(
+            subject,
+            Question::Vary,
+            |facts| &mut facts.curves,
+            async move |_, _, monitor| known.refine(FEW, level, monitor).await,
+        );
     }
 
     /// Measures all methods. Those that are known in this view are not compared again.
@@ -269,7 +305,7 @@ impl Study {
         find: impl AsyncFnOnce(Scene, &View, Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
     ) {
         // What is known of these grows.
-        let grows = [Question::Measure, Question::Require].contains(&question);
+        let grows = [Question::Measure, Question::Require, Question::Vary].contains(&question);
         let is_open = grows || !place(&mut self.facts).is_current;
         let work = self.work.as_ref();
         let is_next = work.is_none_or(|work| question < work.question);

@@ -31,7 +31,7 @@ fn choices() -> Vec<Side> {
 pub fn side_name(side: &Side, shown: Option<Method>) -> String {
     let method = side_method(side, shown).map(method_name);
     match side {
-        Side::Reference => "Exact Phong in f64".to_owned(),
+        Side::Reference => "Reference: exact Phong in f64".to_owned(),
         Side::Picture => format!("Picture: {}", method.unwrap_or_else(|| "mixed".to_owned())),
         Side::Method { .. } => capital(&method.unwrap_or_default()),
     }

@@ -118,19 +118,40 @@ fn keep_digits(value: &mut f64, before: f64) {
     }
 }
 
+/// The sentence about buttons that vary a number.
+pub const VARY: &str = "Shows the errors over the range of this number (tab Vary).";
+
+/// A button whose click shows a number against the error. Returns whether it was clicked.
+pub fn vary_button(ui: &mut Ui) -> bool {
+    let button = ui.add(Button::new("📈").small().frame(false));
+    button.on_hover_text(VARY).clicked()
+}
+
 /// A slider for a number of any magnitude, between its name and its keys. `smallest` is the smallest number above 0.
 pub fn slider(
+    ui: &mut Ui,
+    words: [&str; 3],
+    value: &mut f64,
+    range: RangeInclusive<f64>,
+    smallest: f64,
+) {
+    slider_beside(ui, words, value, range, smallest, |_| ());
+}
+
+/// A slider before another widget.
+pub fn slider_beside(
     ui: &mut Ui,
     [name, keys, says]: [&str; 3],
     value: &mut f64,
     range: RangeInclusive<f64>,
     smallest: f64,
+    beside: impl FnOnce(&mut Ui),
 ) {
     let (before, (least, most)) = (*value, range.clone().into_inner());
     ui.horizontal(|ui| {
         ui.label(name).on_hover_text(says);
         // Number and keys beside it stay in sight.
-        ui.spacing_mut().slider_width = (ui.available_width() - 95.0).clamp(20.0, 110.0);
+        ui.spacing_mut().slider_width = (ui.available_width() - 115.0).clamp(20.0, 110.0);
         let slider = Slider::new(value, range).logarithmic(true);
         let slider = slider.smallest_positive(smallest).custom_parser(typed);
         let response = ui.add(slider.custom_formatter(format_number));
@@ -141,6 +162,7 @@ pub fn slider(
             *value = rounded(*value, 1).clamp(least, most);
         }
         ui.weak(keys);
+        beside(ui);
     });
 }
 

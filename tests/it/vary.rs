@@ -5,20 +5,26 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
-use shadetrade::components::LightKind;
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
+use shadetrade::components::{LightKind, View};
 use shadetrade::drawing::Drawing;
+use shadetrade::frame::Keep;
+use shadetrade::metrics::displayed;
 use shadetrade::prove::Verdict::{self, Proven, Refuted};
 use shadetrade::report::{CANCELLED, Monitor, finished};
+use shadetrade::scene::key::Key;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::shading::{LIMIT_0, Method};
-use shadetrade::vary::picture::{Contender, Error, REFERENCE, TEXTBOOK, errors};
+use shadetrade::vary::picture::{Contender, Error, Errors, REFERENCE, TEXTBOOK, errors};
 use shadetrade::vary::variable::Variable;
 use shadetrade::vary::{Report, Request, measure};
 
 use crate::cli;
 use crate::extremes::is_full;
+use crate::support::cases::{cases, values as cases_of};
+use crate::support::random_scene::case;
 use crate::support::records;
+use crate::support::scene::{draw, truth};
 
 const SIZE: [usize; 2] = [40, 30];
 
@@ -35,8 +41,22 @@ fn contenders() -> Vec<Contender> {
     methods.into_iter().chain([TEXTBOOK, REFERENCE]).collect()
 }
 
+fn drawn_errors(
+    record: &SceneRecord,
+    size: [usize; 2],
+    contenders: &[Contender],
+) -> anyhow::Result<Errors> {
+    let level = Level::new();
+    finished(errors(record, size, contenders, level, Monitor::NONE))
+}
+
 /// Varies a key of a scene within half a level.
 fn varied(record: &SceneRecord, text: &str, steps: usize) -> Report {
+    let variable = Variable::parse(text, record).expect("a range");
+    varied_over(record, variable, steps)
+}
+
+fn varied_over(record: &SceneRecord, variable: Variable, steps: usize) -> Report {
     let request = Request {
         drawing: Drawing {
             scene: Scene::spawn("varied".to_owned(), record),
@@ -44,7 +64,7 @@ fn varied(record: &SceneRecord, text: &str, steps: usize) -> Report {
             threads: 1,
             level: Level::new(),
         },
-        variables: vec![Variable::parse(text, record).expect("a range")],
+        variables: vec![variable],
         contenders: contenders(),
         steps,
         time: None,
@@ -67,7 +87,7 @@ fn a_range_ends_where_the_error_passes_the_tolerance() {
         let variable = &panel.variable;
         let of = |value: f64, contender: &Contender| -> Error {
             let record = variable.scene(&record, value).expect("it is legal");
-            let found = errors(&record, SIZE, &[*contender], Level::new());
+            let found = drawn_errors(&record, SIZE, &[*contender]);
             found.expect("a small picture fits").of[0]
         };
         let resolution = if variable.logarithmic {
@@ -112,6 +132,72 @@ fn a_range_ends_where_the_error_passes_the_tolerance() {
             }
         }
     }
+}
+
+/// The largest error of a drawn picture against exact Phong in f64, which shares nothing with intervals. `None` where it shows
+/// another face than the renderer.
+fn judged(record: &SceneRecord, method: Method) -> Option<f64> {
+    let mut world = record.spawn();
+    let view = View::of(&world, SIZE);
+    let truth = truth(&world, &view.shaded(Phong));
+    let frame = draw(&mut world, &method.view(&view), Keep::Levels);
+    let pixels = frame.levels().iter().zip(&truth.levels);
+    let error = |(drawn, exact): (&[f32; 3], &[f64; 3])| {
+        let channels = drawn.iter().zip(exact);
+        let errors =
+            channels.map(|(drawn, exact)| (displayed((*drawn).into()) - displayed(*exact)).abs());
+        errors.fold(0.0, f64::max)
+    };
+    let is_same = frame.triangles() == truth.triangles;
+    is_same.then(|| pixels.map(error).fold(0.0, f64::max))
+}
+
+/// Both sides of the ends that bisection finds, in random scenes.
+#[test]
+fn ends_in_random_scenes_hold_on_both_sides_before_an_independent_judge() {
+    let keys = [
+        "camera.random.orbit.zoom",
+        "cuboid.0.material.shininess",
+        "cuboid.0.segments",
+        "camera.random.fov",
+    ];
+    let gouraud = Method::of(Gouraud, 0.5);
+    let mut ends = 0;
+    for case in cases_of(&case(Gouraud), cases(12)) {
+        let record = case.record(0.5);
+        let key = Key::from(keys[case.seed as usize % keys.len()]);
+        let variable = Variable::around(key, &record).expect("a number");
+        let report = varied_over(&record, variable.clone(), 5);
+        // Proven bounds and the judge agree.
+        let upper = |value: f64| {
+            let record = variable.scene(&record, value).expect("it is legal");
+            let found = drawn_errors(&record, SIZE, &[gouraud.into()]);
+            let [least, most] = found.expect("a small picture fits").of[0].error;
+            if let Some(judged) = judged(&record, gouraud) {
+                let is_within = (least - 1e-6..=most + 1e-6).contains(&judged);
+                assert!(is_within, "{case:?} {value}: {judged}, {least} to {most}");
+            }
+            most
+        };
+        for [from, to] in &report.keys[0].curves[0].keeps {
+            for (end, way) in [(*from, -1.0), (*to, 1.0)] {
+                assert!(upper(end) <= 0.5, "{case:?} {end}");
+                if end == variable.from || end == variable.to {
+                    continue;
+                }
+                ends += 1;
+                let beyond = |step: u32| {
+                    let share = variable.share(end) + way * 0.0101 * f64::from(step) / 16.0;
+                    variable.at(share.clamp(0.0, 1.0))
+                };
+                let next = (variable.key.last() == "segments").then_some(end + way);
+                let mut beyond = (1..=16).map(beyond).chain(next);
+                let is_lost = beyond.any(|value| upper(value) > 0.49);
+                assert!(is_lost, "{case:?} {end}");
+            }
+        }
+    }
+    assert!(ends >= 3, "{ends}");
 }
 
 #[test]
@@ -212,12 +298,7 @@ height = 3
     for z in [1.5, 2.0, 4.0] {
         let record = variable.scene(&record, z).expect("it is legal");
         // An odd size has a pixel in the middle.
-        let found = errors(
-            &record,
-            [41, 41],
-            &[Method::of(Gouraud, 0.0).into()],
-            Level::new(),
-        );
+        let found = drawn_errors(&record, [41, 41], &[Method::of(Gouraud, 0.0).into()]);
         let [least, most] = found.expect("a small picture fits").of[0].error;
         // The middle has n.l = 1, the corners h / sqrt(h^2 + 2), and it lies on the diagonal between two of them.
         let h = z - 1.0;
@@ -297,7 +378,7 @@ fn swept(set: fn(&mut SceneRecord, f64), value: f64) -> [[f64; 2]; 3] {
     let renderer = [0.0, 0.5].map(|tolerance| Contender::from(Method::of(Phong, tolerance)));
     let size = if is_full() { [128, 96] } else { [16, 12] };
     let contenders = [TEXTBOOK, renderer[0], renderer[1]];
-    let found = errors(&record, size, &contenders, Level::new()).expect("a small picture fits");
+    let found = drawn_errors(&record, size, &contenders).expect("a small picture fits");
     [0, 1, 2].map(|index| found.of[index].error)
 }
 

@@ -16,6 +16,7 @@ mod sight;
 mod storms;
 mod trade;
 mod unsaved;
+mod vary;
 mod widgets;
 
 use std::time::Duration;

@@ -90,6 +90,7 @@ impl Page {
             "error": facts.comparison.current().and_then(|it| it.error),
             "proof": facts.proof.current(),
             "trade": facts.trade.current(),
+            "varied": facts.curves.value.as_ref().filter(|it| it.is_all).map(|it| it.variable.clone()),
             "picture": (canvas.place.min * canvas.scale, canvas.size()),
             "pixel": self.app.pixel(),
         });

@@ -150,6 +150,15 @@ const checks = {
     }
   },
 
+  async "a number that is varied"(page) {
+    await page.keyboard.press("v");
+    const start = Date.now();
+    await until(page, () => shadetrade.outcome().varied);
+    say(`  the curves of ${(await outcome(page)).varied.key} after ${Date.now() - start} ms`);
+    await shot(page, "1366x768-varied");
+    await page.keyboard.press("v");
+  },
+
   async "a wipe and its divider"(page) {
     await page.keyboard.press("F3");
     await quiet(page, 300);

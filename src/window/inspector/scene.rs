@@ -15,7 +15,7 @@ use crate::scene::SceneRecord;
 use crate::scene::key::Key;
 use crate::window::desk::{Command, Desk, EntityPlace};
 use crate::window::document::Document;
-use crate::window::widgets::{color_button, number};
+use crate::window::widgets::{VARY, color_button, number, vary_button};
 
 /// The keys that have a colour picker.
 const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
@@ -28,7 +28,7 @@ const CHOICES: [(&str, &[&str]); 3] = [
 /// In a narrower tab the letters are small, in points.
 const NARROW: f32 = 240.0;
 /// A typed number is checked when the edited record is read, whose message names the range.
-const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
+pub const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// Lays out the tab. An edit replaces the World.
 pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
@@ -63,13 +63,17 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
     let [mut own, mut background] = before.clone();
     let name = own["name"].clone();
     let key = Key::from(kind).child(name.as_str().unwrap_or_default());
-    Grid::new("table").show(ui, |ui| row(ui, &key, &mut own, &record));
+    let mut varied = None;
+    Grid::new("table").show(ui, |ui| row(ui, &key, &mut own, &record, &mut varied));
     if kind == "light" {
         place_light(&mut own);
     }
     ui.separator();
     let key = Key::from("background");
-    Grid::new("scene").show(ui, |ui| row(ui, &key, &mut background, &record));
+    Grid::new("scene").show(ui, |ui| {
+        row(ui, &key, &mut background, &record, &mut varied);
+    });
+    desk.commands.extend(varied.map(Command::Vary));
     let adds = copies || adds_cuboid || adds_light;
     if adds || deletes || [&own, &background] != [&before[0], &before[1]] {
         // With the changes of this layout.
@@ -234,12 +238,12 @@ fn entity_list(ui: &mut Ui, record: &SceneRecord, selected: &mut EntityPlace) {
     ui.data_mut(|data| data.insert_temp(id, *selected));
 }
 
-/// A row for the value of a key. A table has a row for each of its keys.
-fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord) {
+/// A row for the value of a key. A table has a row for each of its keys. `varied` is the number whose button is clicked.
+fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: &mut Option<Key>) {
     if let Value::Object(table) = value {
         return table
             .iter_mut()
-            .for_each(|(name, value)| row(ui, &key.child(name), value, record));
+            .for_each(|(name, value)| row(ui, &key.child(name), value, record, varied));
     }
     ui.horizontal(|ui| {
         ui.label(key.last()).on_hover_ui(|ui| {
@@ -268,11 +272,19 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord) {
                 ["x", "y", "z"]
             };
             for (number, name) in numbers.iter_mut().zip(names) {
-                ui.weak(name);
+                let letter = Button::new(name).small().frame_when_inactive(false);
+                if ui.add(letter).on_hover_text(VARY).clicked() {
+                    *varied = Some(key.child(name));
+                }
                 number_field(ui, key.last(), number);
             }
         }
-        value => number_field(ui, key.last(), value),
+        value => {
+            number_field(ui, key.last(), value);
+            if vary_button(ui) {
+                *varied = Some(key.clone());
+            }
+        }
     });
     ui.end_row();
 }

@@ -7,8 +7,9 @@ use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, View, common_mode};
-use shadetrade::frame::Workers;
+use shadetrade::frame::{Keep, Workers};
 use shadetrade::report::Monitor;
+use shadetrade::requires::without;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::app::App;
 use shadetrade::window::canvas::REST;
@@ -20,7 +21,8 @@ use shadetrade::window::study::{Background, Change, Study, Subject};
 use super::files::on_file;
 use super::{PAUSE, Window};
 use crate::support::records;
-use crate::support::window::{default_scene, widgets};
+use crate::support::scene::draw;
+use crate::support::window::{app, default_scene, widgets};
 
 /// A size so small that everything is computed at once.
 const SMALL: [usize; 2] = [130, 100];
@@ -118,7 +120,7 @@ fn the_part_that_matters_most_comes_first() {
     let harness = widgets(window.app, [1400, 1000]);
     let places = |name: &str| {
         harness
-            .query_all_by_value(name)
+            .query_all_by_label(name)
             .next()
             .map(|it| it.rect().min.y)
     };
@@ -134,6 +136,55 @@ fn the_part_that_matters_most_comes_first() {
     let sentence = format!("emerald: Gouraud needs {cells} cells.");
     assert_eq!(harness.query_all_by_value(&sentence).count(), 2);
     assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
+}
+
+#[test]
+fn a_click_on_a_part_shows_the_picture_without_it_and_another_the_picture() {
+    const SIZE: [usize; 2] = [1300, 120];
+    let click = |window: &mut Window, name: &str| {
+        let spare = app(default_scene(), SMALL, Level::new());
+        // Every row is in sight.
+        let app = std::mem::replace(&mut window.app, spare);
+        let mut harness = widgets(app, [1300, 1000]);
+        harness.get_by_label(name).click();
+        harness.run_ok();
+        std::mem::swap(harness.state_mut(), &mut window.app);
+        window.step(Vec::new());
+    };
+    let mut window = Window::of(default_scene(), SIZE);
+    window.press(Key::P);
+    window.press(Key::N);
+    let required = |window: &Window| {
+        window
+            .app
+            .study
+            .facts
+            .required
+            .current()
+            .is_some_and(|it| it.is_all)
+    };
+    while !required(&window) {
+        window.step(Vec::new());
+    }
+    let picture = window.app.shown().into_owned();
+    for name in ["light red", "light white"] {
+        click(&mut window, name);
+        let left_out = window.app.study.facts.left_out.current();
+        let (part, pixels) = left_out.expect("an answer");
+        let mut world = without(&window.app.document.scene, &[*part]).world;
+        let frame = draw(&mut world, &window.app.view(), Keep::Display);
+        let differs = |(one, other): &(&u32, &u32)| {
+            let channels = one.to_be_bytes().into_iter().zip(other.to_be_bytes());
+            channels.map(|(one, other)| one.abs_diff(other)).max() > Some(1)
+        };
+        let different = pixels.iter().zip(frame.pixels()).filter(differs).count();
+        // On an edge two faces are as near.
+        assert!(different < 20, "{name}: {different}");
+        assert_eq!(*window.app.shown(), pixels[..]);
+        assert_ne!(picture, *pixels, "{name}");
+        click(&mut window, name);
+        assert_eq!(*window.app.shown(), picture[..]);
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Pos2, Rect};
+use egui::{Pos2, Rect, Ui};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
@@ -279,7 +279,8 @@ fn a_choice_keeps_a_budget_and_goes_to_a_faster_method_when_a_frame_was_over_it(
 #[test]
 fn the_rows_of_lights_switch_the_lights_of_a_world() {
     let world = default_scene().world;
-    let mut harness = Harness::new_ui_state(|ui, world: &mut World| light_rows(ui, world), world);
+    let rows = |ui: &mut Ui, world: &mut World| light_rows(ui, world, &mut Desk::default());
+    let mut harness = Harness::new_ui_state(rows, world);
     let are_on = |world: &World| {
         let mut lights = world.query::<&Light>();
         lights.iter().filter(|light| light.on).count()

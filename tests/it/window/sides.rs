@@ -128,7 +128,9 @@ fn a_tag_chooses_the_method_of_its_side() {
     press(&mut harness, Key::F3);
     harness.get_by_value("Phong within half a level").click();
     harness.run_ok();
-    harness.get_by_label("Exact Phong in f64").click();
+    harness
+        .get_by_label("Reference: exact Phong in f64")
+        .click();
     harness.run_ok();
     let sides = harness.state().viewer().sides;
     assert_eq!(sides, [Side::gouraud_phong(0.5)[0], Side::Reference]);

@@ -1,0 +1,218 @@
+//! The tab of a number that is varied: its curves, the line that is dragged, the curve that is clicked.
+
+use std::cell::Cell;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
+
+use egui::{Key as Press, Pos2, Rect, pos2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use fearless_simd::Level;
+use shadetrade::components::{ShadingMode, common_mode};
+use shadetrade::prove::Verdict;
+use shadetrade::report::{Monitor, finished};
+use shadetrade::scene::SceneRecord;
+use shadetrade::scene::key::Key;
+use shadetrade::vary::curve::Curve;
+use shadetrade::vary::refined::Refined;
+use shadetrade::vary::variable::{Variable, present};
+use shadetrade::window::app::App;
+use shadetrade::window::inspector::Tab;
+
+use super::{Window, press};
+use crate::support::window::{default_scene, places, widgets};
+
+/// A window in which the inspector has a room of its own.
+const SIZE: [usize; 2] = [1240, 900];
+
+/// A window that varies a key of the default scene, with all values drawn.
+fn varying(key: &str) -> Window {
+    let mut window = Window::of(default_scene(), SIZE);
+    let App { desk, document, .. } = &mut window.app;
+    desk.vary(Key::from(key), &document.state);
+    for _ in 0..100 {
+        window.step(vec![]);
+        let curves = window.app.study.facts.curves.value.as_ref();
+        if curves.is_some_and(|it| it.is_all) {
+            return window;
+        }
+    }
+    panic!("the curves of {key} are not finished");
+}
+
+fn curves(app: &App) -> Vec<Curve> {
+    let curves = app.study.facts.curves.value.as_ref().expect("curves");
+    curves.curves().into_iter().map(|it| it.1).collect()
+}
+
+fn value(app: &App, key: &str) -> f64 {
+    let record = SceneRecord::of(&app.document.scene.world);
+    present(&Key::from(key), &record).expect("a number")
+}
+
+/// The area of the plot.
+fn area(harness: &Harness<App>) -> Rect {
+    harness.get_by_label_contains("errors over").rect()
+}
+
+fn click(harness: &mut Harness<App>, path: &[Pos2]) {
+    harness.hover_at(path[0]);
+    harness.run_ok();
+    harness.drag_at(path[0]);
+    harness.run_ok();
+    // A click that takes long is none.
+    for at in &path[1..] {
+        harness.hover_at(*at);
+        harness.run_ok();
+    }
+    harness.drop_at(path[path.len() - 1]);
+    harness.run_ok();
+}
+
+#[test]
+fn curves_reach_from_end_to_end_and_end_within_a_hundredth() {
+    for key in [
+        "camera.1.orbit.zoom",
+        "light.specular.intensity",
+        "cuboid.emerald.segments",
+    ] {
+        let window = varying(key);
+        let varied = window.app.desk.varied.as_ref().expect("it is open");
+        let variable = &varied.variable;
+        let mut count = 0;
+        for curve in curves(&window.app) {
+            let ends = [curve.points.first(), curve.points.last()].map(|it| it.map(|it| it.value));
+            assert_eq!(ends, [Some(variable.from), Some(variable.to)], "{key}");
+            for pair in curve.points.windows(2) {
+                let is_kept = |at: usize| Verdict::of(pair[at].error, 0.5) == Verdict::Proven;
+                let gap = variable.share(pair[1].value) - variable.share(pair[0].value);
+                let is_next =
+                    variable.key.last() == "segments" && pair[1].value - pair[0].value < 1.5;
+                assert!(gap <= 1.0 / 32.0 || is_next, "{key}: {gap}");
+                if is_kept(0) != is_kept(1) {
+                    assert!(gap <= 0.01 || is_next, "{key}: {gap}");
+                    count += 1;
+                }
+            }
+        }
+        // The intensity of the highlight has an end for Gouraud below the range.
+        assert!(count > 0 || key == "light.specular.intensity", "{key}");
+    }
+}
+
+#[test]
+fn the_line_is_dragged_and_a_click_on_a_curve_chooses_its_method() {
+    let key = "cuboid.emerald.material.shininess";
+    let window = varying(key);
+    let gouraud = curves(&window.app)[0].points[2];
+    let variable = window
+        .app
+        .desk
+        .varied
+        .as_ref()
+        .expect("it is open")
+        .variable
+        .clone();
+    let before = window.app.document.state.clone();
+    let mut harness = widgets(window.app, SIZE);
+    let area = area(&harness);
+    let at = |share: f64| {
+        pos2(
+            area.left() + area.width() * share as f32,
+            area.bottom() - 2.0,
+        )
+    };
+    let now = variable.share(value(harness.state(), key));
+    click(&mut harness, &[at(now), at(0.4), at(0.25)]);
+    let dragged = value(harness.state(), key);
+    assert!((variable.share(dragged) - 0.25).abs() < 0.01, "{dragged}");
+    let mut record = SceneRecord::of(&harness.state().document.scene.world);
+    record.cuboid[0].material.shininess = before.cuboid[0].material.shininess;
+    assert_eq!(record, *before);
+    // A point of Gouraud's curve away from the others, on axes from 1e-4 to 500 levels.
+    press(&mut harness, Press::P);
+    let mode = |harness: &Harness<App>| common_mode(&harness.state().document.scene.world);
+    assert_eq!(mode(&harness), Some(ShadingMode::Phong));
+    let height = (gouraud.error[1] / 1e-4).log10() / (500.0_f64 / 1e-4).log10();
+    let up = area.bottom() - area.height() * height as f32;
+    click(
+        &mut harness,
+        &[pos2(at(variable.share(gouraud.value)).x, up)],
+    );
+    assert_eq!(mode(&harness), Some(ShadingMode::Gouraud));
+    assert!((value(harness.state(), key) - dragged).abs() < 1e-12);
+}
+
+#[test]
+fn every_number_of_the_scene_has_a_button() {
+    let mut harness = widgets(Window::of(default_scene(), SIZE).app, SIZE);
+    press(&mut harness, Press::E);
+    for (label, key) in [
+        ("x", "cuboid.emerald.size.x"),
+        ("📈", "light.white.intensity"),
+    ] {
+        let found = places(&harness, label);
+        click(&mut harness, &[found[0]]);
+        // The first chart button is that of the segments, in the panel.
+        let desk = &harness.state().desk;
+        let varied = desk
+            .varied
+            .as_ref()
+            .unwrap_or_else(|| panic!("{:?}", desk.message));
+        let key = if label == "x" {
+            key
+        } else {
+            "cuboid.emerald.segments"
+        };
+        assert_eq!(varied.variable.key, Key::from(key));
+        assert_eq!(harness.state().desk.tab, Some(Tab::Vary));
+        press(&mut harness, Press::E);
+    }
+}
+
+#[test]
+fn a_key_that_is_gone_says_so() {
+    let mut window = varying("light.red.intensity");
+    let mut record = SceneRecord::clone(&window.app.document.state);
+    record.light.retain(|it| it.name != "red");
+    window.app.document.restore(&record);
+    window.step(vec![]);
+    window.step(vec![]);
+    let varied = window.app.desk.varied.as_ref().expect("it is open");
+    let reason = varied.wanted.as_ref().expect_err("there is no red light");
+    assert!(reason.contains("light.red"), "{reason}");
+}
+
+#[test]
+fn work_in_pieces_finds_the_same() {
+    let record = SceneRecord::of(&default_scene().world);
+    let variable =
+        Variable::around(Key::from("light.white.position.z"), &record).expect("a number");
+    let none = Refined::new(variable, &record, [320, 240]).expect("a scene");
+    let at_once = finished(none.clone().refine(5, Level::new(), Monitor::NONE));
+    let polls = Cell::new(0);
+    let monitor = Monitor {
+        is_due: Some(&|| true),
+        ..Monitor::NONE
+    };
+    let mut pieces = pin!(none.refine(5, Level::new(), monitor));
+    let pieces = loop {
+        match pieces
+            .as_mut()
+            .poll(&mut Context::from_waker(Waker::noop()))
+        {
+            Poll::Ready(found) => break found,
+            Poll::Pending => polls.set(polls.get() + 1),
+        }
+    };
+    let [pieces, at_once] = [pieces, at_once].map(|it| it.expect("a small picture fits").curves());
+    assert_eq!(pieces.len(), 4);
+    assert!(
+        pieces
+            .iter()
+            .zip(&at_once)
+            .all(|(one, other)| one.1 == other.1)
+    );
+    // A pause after each row of five small pictures.
+    assert!(polls.get() >= 5 * 50, "{}", polls.get());
+}
