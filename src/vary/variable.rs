@@ -165,7 +165,7 @@ impl Variable {
     /// If the key may not have it.
     pub fn scene(&self, record: &SceneRecord, value: f64) -> anyhow::Result<SceneRecord> {
         let value = if self.is_whole {
-            Value::Integer(value as i64)
+            Value::Integer(value.round() as i64)
         } else {
             Value::Float(value)
         };

@@ -272,9 +272,6 @@ impl App {
         let Document { scene, state, .. } = &mut self.document;
         self.canvas
             .draw(self.desk.now, &mut scene.world, state, view)?;
-        if let Some(varied) = &mut self.desk.varied {
-            varied.look(state, view.size);
-        }
         let subject = Subject {
             name: &scene.name,
             record: state,

@@ -75,7 +75,7 @@ pub fn inspector(ui: &mut Ui, app: &mut App, is_drawer: bool) {
         Tab::Scene => scene::tab(ui, document, desk),
         Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),
         Tab::Proof => proof_tab(ui, study),
-        Tab::Vary => vary::tab(ui, document, study, desk),
+        Tab::Vary => vary::tab(ui, document, canvas, study, desk),
     });
 }
 

@@ -10,12 +10,14 @@ use super::scene::ANY;
 use crate::components::{ShadingMode, viewer};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
+use crate::scene::SceneRecord;
 use crate::shading::Method;
 use crate::trade::verdict::method_name;
 use crate::vary::curve::Curve;
 use crate::vary::export::number as in_words;
 use crate::vary::refined::Refined;
 use crate::vary::variable::Variable;
+use crate::window::canvas::Canvas;
 use crate::window::controls::choose_method;
 use crate::window::desk::Desk;
 use crate::window::document::Document;
@@ -42,7 +44,7 @@ enum Change {
 }
 
 /// Lays out the tab. It writes the number, and the method of the cuboids.
-pub fn tab(ui: &mut Ui, document: &mut Document, study: &Study, desk: &mut Desk) {
+pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study, desk: &mut Desk) {
     ui.label(ABOUT);
     ui.horizontal_wrapped(|ui| {
         for (name, key) in common_keys(&document.scene.world) {
@@ -58,12 +60,15 @@ pub fn tab(ui: &mut Ui, document: &mut Document, study: &Study, desk: &mut Desk)
     {
         desk.vary(key, &document.state);
     }
-    let Some(varied) = &desk.varied else {
+    let Some(varied) = &mut desk.varied else {
         return;
     };
+    varied.look(&document.state, canvas.size());
     let done = match change(ui, varied, study) {
         Some(Change::Value(value)) => {
-            let record = varied.variable.scene(&document.state, value);
+            // With the changes of this layout.
+            let scene = SceneRecord::of(&document.scene.world);
+            let record = varied.variable.scene(&scene, value);
             record.map(|record| document.restore(&record))
         }
         Some(Change::Ends(ends)) => {
@@ -85,7 +90,10 @@ pub fn tab(ui: &mut Ui, document: &mut Document, study: &Study, desk: &mut Desk)
         }
         None => Ok(()),
     };
-    if let Err(error) = done {
+    // A drag passes numbers that are not legal.
+    if let Err(error) = done
+        && ui.ctx().dragged_id().is_none()
+    {
         desk.say(format!("{error:#}"));
     }
 }

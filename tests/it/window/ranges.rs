@@ -87,6 +87,7 @@ fn no_slider_and_no_drag_makes_an_illegal_number() {
         (Tab::Scene, "light", None),
         (Tab::Scene, "camera", None),
         (Tab::Pixel, "cuboid", Some(1.0)),
+        (Tab::Vary, "cuboid", None),
     ] {
         let reset = |harness: &mut Harness<App>| {
             let mut record = record();
