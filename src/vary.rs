@@ -87,6 +87,7 @@ impl Request {
             drawing.size,
             contenders,
             drawing.level,
+            true,
             Monitor::NONE,
         ))
     }

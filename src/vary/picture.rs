@@ -79,7 +79,8 @@ pub struct Errors {
 /// The pixels of a contender: the face at each, and its levels.
 type Shown<'a> = Box<dyn Fn([usize; 2]) -> (Option<usize>, [f64; 3]) + 'a>;
 
-/// Draws the picture of a scene from its active camera by each contender, and compares every pixel with enclosures.
+/// Draws the picture of a scene from its active camera by each contender, and compares every pixel with enclosures; also with
+/// those of the contender's own definition if `has_own`, else the own errors are 0.
 ///
 /// # Errors
 /// If a picture does not fit in memory, or the work is cancelled.
@@ -88,6 +89,7 @@ pub async fn errors(
     size: [usize; 2],
     contenders: &[Contender],
     level: Level,
+    has_own: bool,
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Errors> {
     let mut world = record.spawn();
@@ -121,7 +123,7 @@ pub async fn errors(
         method.map(|it| (it.mode, it.segments.map(Segments::count)))
     };
     let mut own = HashMap::new();
-    for contender in contenders {
+    for contender in contenders.iter().filter(|_| has_own) {
         if let Some((definition, method)) = definition(contender).zip(contender.method) {
             let view = method.view(&view);
             own.entry(definition)

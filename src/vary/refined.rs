@@ -88,6 +88,15 @@ impl Refined {
         self.variable == other.variable && self.size == other.size && self.scene == other.scene
     }
 
+    /// Whether several values are drawn, and their pictures are the same.
+    pub fn is_still(&self) -> bool {
+        self.found.len() > 2
+            && self
+                .found
+                .windows(2)
+                .all(|pair| pair[0].1.hash == pair[1].1.hash)
+    }
+
     /// Draws the pictures of a few more values.
     ///
     /// # Errors
@@ -103,10 +112,10 @@ impl Refined {
                 self.is_all = true;
                 break;
             };
-            (monitor.progress)("varying", self.found.len() as f64 * GAP);
+            (monitor.progress)("varying", (self.found.len() as f64 * GAP).min(1.0));
             let scene = self.variable.scene(&self.scene, value)?;
             let contenders = contenders(scene.view.tolerance);
-            let errors = errors(&scene, self.size, &contenders, level, monitor).await?;
+            let errors = errors(&scene, self.size, &contenders, level, false, monitor).await?;
             let place = self.found.partition_point(|it| it.0 < value);
             self.found.insert(place, (value, errors));
         }

@@ -25,8 +25,9 @@ use super::file::INTERVAL;
 use super::inspector::Tab;
 use super::pictures::or_dimmed;
 use super::study::{Background, Study, Subject, change};
-use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
+use crate::components::{Mesh, Orbit, View, Viewer, active_camera, get, viewer, viewer_mut};
 use crate::drawing::Drawing;
+use crate::drawing::unseen::shows_all;
 use crate::paint::{Painter, area};
 use crate::probe::Probe;
 use crate::scene::Scene;
@@ -262,6 +263,7 @@ impl App {
 
     /// Draws the present picture, and asks the questions about it.
     fn draw(&mut self) -> anyhow::Result<()> {
+        self.fit();
         self.outdate();
         let last = self.canvas.last_frame(&self.document.state);
         let budget = self.viewer().budget;
@@ -285,6 +287,24 @@ impl App {
             self.receive(self.desk.now);
         }
         Ok(())
+    }
+
+    /// Moves the camera of a scene that was just opened away where a narrow picture would cut cuboids off that a picture of 4:3
+    /// shows. A camera that was moved before, or explains a pixel, stays.
+    fn fit(&mut self) {
+        if std::mem::replace(&mut self.document.is_fitted, true) {
+            return;
+        }
+        let [width, height] = self.canvas.size();
+        let world = &mut self.document.scene.world;
+        let orbit = get::<Orbit>(world, active_camera(world));
+        let is_own = orbit.is_none_or(|it| it == Orbit::default()) && viewer(world).pixel.is_none();
+        let shows_all = |width| shows_all(world, &View::of(world, [width, height]));
+        let wide = height * 4 / 3;
+        if is_own && width < wide && !shows_all(width) && shows_all(wide) {
+            controls::step_back(world, [width, height]);
+            self.note_changes();
+        }
     }
 
     /// Outdates the facts that are not those of the picture to be drawn.

@@ -37,7 +37,7 @@ const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
                        the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
                        line the budget. A click on a dot chooses its method. Below half \
-                       a level no byte changes by more than one, above one level some do. Frames are drawn by all cores, or as many as --threads says; `trade` \
+                       a level no displayed value changes by more than one of 255, above one level some do. A paler dot is beaten by another method. Frames are drawn by all cores, or as many as --threads says; `trade` \
                        uses one.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
@@ -45,7 +45,7 @@ const MOST: f64 = 500.0;
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
 /// The words on the band of errors above one level, and their room beside other words, in points.
-const BAND: &str = "bytes off by 2 or more";
+const BAND: &str = "off by 2 or more of 255";
 const BAND_ROOM: f32 = 110.0;
 /// The least step of a clock that is told, in ms.
 const SEEN_STEP: f64 = 0.001;
@@ -136,7 +136,7 @@ fn resolution(step: f64) -> String {
     format!(", clock {}", rounded(step, 1))
 }
 
-/// Compares the method on screen with its alternatives. Under Gouraud it names the key of Phong.
+/// Compares the method on screen with its alternatives. Under Gouraud it names the next keys to try.
 fn sentence_about(ui: &mut Ui, known: &[Measurement], shown: Option<Method>) {
     let of_method = |method: Method| {
         let name = capital(&method_name(method));
@@ -146,7 +146,8 @@ fn sentence_about(ui: &mut Ui, known: &[Measurement], shown: Option<Method>) {
             return text;
         }
         let key = caption(Action::Shading(ShadingMode::Phong));
-        format!("{text} {key} shows Phong.")
+        let why = caption(Action::Worst);
+        format!("{text} {key} shows Phong. {why} tells why Gouraud errs.")
     };
     let mixed = || "The cuboids are shaded in different modes.".to_owned();
     let text = shown.map_or_else(mixed, of_method);

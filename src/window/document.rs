@@ -38,6 +38,8 @@ pub struct Document {
     pub folder: PathBuf,
     /// The step of the lesson, counted from 0.
     pub step: usize,
+    /// Whether the camera was fitted to the picture.
+    pub is_fitted: bool,
 }
 
 impl Document {
@@ -51,6 +53,7 @@ impl Document {
             unsaved: None,
             folder: PathBuf::from("."),
             step: 0,
+            is_fitted: false,
             state,
             scene,
         }
@@ -176,6 +179,7 @@ impl Document {
         // A step is no edit.
         self.file.saved = Arc::clone(&step.record);
         self.step = place;
+        self.is_fitted = false;
         None
     }
 

@@ -97,9 +97,12 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
             ui.colored_label(INK, head);
         }
         ui.end_row();
+        let rows = rows.unwrap_or_default();
+        // Rows stay in their places while others are added.
+        let rows = if is_all { ranked(rows) } else { rows };
         for PartChange {
             part, name, change, ..
-        } in ranked(rows.unwrap_or_default())
+        } in rows
         {
             ui.colored_label(INK, short(change.most()));
             let is_kept = change.keeps(tolerance);

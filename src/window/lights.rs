@@ -136,16 +136,24 @@ pub fn draw_arrows(
             painter.arrow(at, way, (width, ink));
         }
     };
-    let mut places: Vec<DVec3> = Vec::new();
+    // Lights in one direction have one arrow.
+    let mut directions: Vec<(DVec3, Option<DVec3>, Vec<&str>)> = Vec::new();
     for light in surface.lights() {
-        let Some(to_light) = light.to_light.filter(|it| !places.contains(it)) else {
+        let Some(to_light) = light.to_light else {
             continue;
         };
-        places.push(to_light);
-        let ink = light_color(world, &light.name);
-        let reflected = format!("r of {}", light.name);
-        arrow(&reflected, ink.gamma_multiply(0.7), light.reflected);
-        arrow(&format!("l to {}", light.name), ink, Some(to_light));
+        match directions.iter_mut().find(|it| it.0 == to_light) {
+            Some((_, reflected, names)) => {
+                *reflected = reflected.or(light.reflected);
+                names.push(&light.name);
+            }
+            None => directions.push((to_light, light.reflected, vec![&light.name])),
+        }
+    }
+    for (to_light, reflected, names) in directions {
+        let ink = light_color(world, names[0]);
+        arrow("r, l reflected", ink.gamma_multiply(0.7), reflected);
+        arrow(&format!("l to {}", names.join(", ")), ink, Some(to_light));
     }
     let sample = surface.sample.as_ref();
     arrow("o to the eye", TO_EYE, sample.map(|it| it.to_eye));

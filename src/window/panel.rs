@@ -177,7 +177,7 @@ fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize, desk: &mu
     let named = keys().map(|key| key.2).find(is_named);
     ui.weak(caption(named.unwrap_or(Action::Light(place))));
     color_button(ui, &mut light.color);
-    let says = "Intensity of the light, 0 to 1e30.";
+    let says = "Intensity of the light, 0 to 1e30: a factor of its term.";
     number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
     if vary_button(ui) {
         let key = Key::from("light").child(&name.0).child("intensity");
@@ -226,8 +226,8 @@ fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
             }
         });
         ui.weak(caption(Action::NextCamera));
-        ui.label("zoom");
-        vary_common(ui, world, "zoom", desk);
+        ui.label("distance");
+        vary_common(ui, world, "distance", desk);
     });
     let Viewer {
         mut projection,

@@ -17,7 +17,7 @@ use crate::trade::verdict::method_name;
 /// The distance of a tag from the edges of the picture, in points.
 const GAP: f32 = 9.0;
 
-const SHORTCUT: &str =
+pub const SHORTCUT: &str =
     "The assignment's shortcut: n, l and o are interpolated as unit vectors and not normalised.";
 
 /// The sides to choose from.
@@ -25,6 +25,22 @@ fn choices() -> Vec<Side> {
     let methods = METHODS.iter().copied().map(Side::from);
     let others = [Side::Picture, Side::Reference].into_iter();
     others.chain(methods).collect()
+}
+
+/// The sentence about a side.
+fn says(side: &Side) -> &'static str {
+    match side {
+        Side::Picture => "The picture as it is shaded.",
+        Side::Reference => about("reference"),
+        Side::Method {
+            mode: ShadingMode::UnitVectors,
+            ..
+        } => SHORTCUT,
+        Side::Method { tolerance: 0.0, .. } => {
+            "This program's renderer at tolerance 0: each pixel is evaluated, in f32."
+        }
+        Side::Method { .. } => about("tolerance"),
+    }
 }
 
 /// The name of a side; `shown` is the method on screen.
@@ -66,12 +82,9 @@ pub fn tags(
             let methods = ComboBox::from_id_salt(index).selected_text(name);
             methods.height(400.0).show_ui(ui, |ui| {
                 for side in choices() {
-                    let method = side_method(&side, shown);
                     let name = side_name(&side, shown);
                     let row = ui.selectable_value(&mut sides[index], side, name);
-                    if method.is_some_and(|it| it.mode == ShadingMode::UnitVectors) {
-                        row.on_hover_text(SHORTCUT);
-                    }
+                    row.on_hover_text(says(&side));
                 }
             });
             let price = side_method(&sides[index], shown).and_then(|it| facts.measured(it));

@@ -63,7 +63,7 @@ impl Desk {
 /// The numbers that are offered first, by their names.
 pub fn common_keys(world: &World) -> Vec<(&'static str, Key)> {
     let camera = Key::from("camera").child(&camera_name(world));
-    let mut keys = vec![("zoom", camera.child("orbit").child("zoom"))];
+    let mut keys = vec![("distance", camera.child("orbit").child("zoom"))];
     if let Some(name) = names::<Mesh>(world).first() {
         let cuboid = Key::from("cuboid").child(name);
         keys.push(("segments", cuboid.child("segments")));

@@ -12,7 +12,7 @@ pub const WORDS: [(&str, &str); 10] = [
     ),
     (
         "error",
-        "The difference between the drawn and the exact level, in levels of 255. Below half a level no byte changes by more than one.",
+        "The difference between the drawn and the exact level, in levels of 255. Below half a level no displayed value changes by more than one of 255.",
     ),
     (
         "tolerance",

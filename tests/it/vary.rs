@@ -47,7 +47,7 @@ fn drawn_errors(
     contenders: &[Contender],
 ) -> anyhow::Result<Errors> {
     let level = Level::new();
-    finished(errors(record, size, contenders, level, Monitor::NONE))
+    finished(errors(record, size, contenders, level, true, Monitor::NONE))
 }
 
 /// Varies a key of a scene within half a level.

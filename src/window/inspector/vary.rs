@@ -22,14 +22,20 @@ use crate::window::controls::choose_method;
 use crate::window::desk::Desk;
 use crate::window::document::Document;
 use crate::window::study::Study;
+use crate::window::tags::SHORTCUT;
 use crate::window::varied::{Varied, common_keys};
 use crate::window::widgets::{BAD, INK, mode_ink, number, rounded, still, wait};
+use crate::window::words::about;
 
 const ABOUT: &str = "The largest error of the picture against exact Phong, in levels of 255, over the range of a number. Drag the \
-                     line to change the number; click a curve to choose its method.";
+                     line to change the number; a click on a curve chooses its method, or compares the unit vectors in a wipe. The button beside a number of the scene shows that one.";
+const SMALL: &str = "An interval encloses the exact level of each pixel. A small picture takes a moment, and has few large squares: \
+                     the renderer's errors within the tolerance are smaller in it than in the window.";
 /// The ends of the axis of errors, in levels. A smaller error is drawn at the first.
 const ERRORS: [f64; 2] = [1e-4, 500.0];
 const HEIGHT: f32 = 230.0;
+/// The room beside the plot, in points, into which half of the last label reaches.
+const BESIDE: f32 = 12.0;
 /// How far beside a curve a click still chooses its method, in points.
 const REACH: f32 = 8.0;
 
@@ -45,14 +51,12 @@ enum Change {
 
 /// Lays out the tab. It writes the number, and the method of the cuboids.
 pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study, desk: &mut Desk) {
-    ui.label(ABOUT);
     ui.horizontal_wrapped(|ui| {
         for (name, key) in common_keys(&document.scene.world) {
             if ui.small_button(name).clicked() {
                 desk.vary(key, &document.state);
             }
         }
-        ui.weak("or the button beside a number of the scene");
     });
     ui.separator();
     if desk.varied.is_none()
@@ -113,6 +117,12 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let known = study.facts.curves.value.as_ref();
     let known = known.filter(|it| it.is_same(wanted));
     let curves = known.map(Refined::curves).unwrap_or_default();
+    let [width, height] = wanted.size;
+    let pictures = format!("error in small pictures, {width}x{height}");
+    ui.small(pictures).on_hover_text(SMALL);
+    if known.is_some_and(Refined::is_still) {
+        ui.colored_label(BAD, "This number does not change the picture.");
+    }
     let mut change = plot(ui, variable, wanted.limit, &curves, value);
     let mut numbers = [variable.from, value, variable.to];
     ui.columns(3, |columns| {
@@ -134,16 +144,24 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     for (method, curve) in &curves {
         ui.horizontal_wrapped(|ui| {
             let name = method.map_or_else(|| "textbook in f32".to_owned(), method_name);
-            ui.colored_label(ink(*method), capital(&name));
+            let name = ui.colored_label(ink(*method), capital(&name));
+            name.on_hover_text(says(*method));
             let kept = curve.kept(in_words);
-            ui.weak(format!("proven within {}: {kept}", wanted.limit));
+            ui.weak(format!("within {} of exact Phong: {kept}", wanted.limit));
         });
     }
-    let [width, height] = wanted.size;
-    ui.weak(format!(
-        "From pictures of {width}x{height} pixels; an interval encloses the exact level of each."
-    ));
+    ui.separator();
+    ui.weak(ABOUT);
     change
+}
+
+/// The sentence about a curve.
+fn says(method: Option<Method>) -> &'static str {
+    match method.map(|it| it.mode) {
+        None => "The formula of Phong as one writes it down, in f32 throughout.",
+        Some(ShadingMode::UnitVectors) => SHORTCUT,
+        Some(_) => about("tolerance"),
+    }
 }
 
 fn ink(method: Option<Method>) -> Color32 {
@@ -180,6 +198,7 @@ fn plot(
             .collect()
     };
     let plot = still(Plot::new("varied"))
+        .width(ui.available_width() - BESIDE)
         .height(HEIGHT)
         .sense(Sense::hover());
     let plot = plot.x_grid_spacer(of_values).y_grid_spacer(of_errors);

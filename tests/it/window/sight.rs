@@ -7,7 +7,7 @@ use glam::DVec3;
 use shadetrade::components::{LightKind, View, ViewMode};
 use shadetrade::drawing::unseen::shows_all;
 use shadetrade::frame::Keep;
-use shadetrade::scene::SceneRecord;
+use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::QUARTERS;
 
@@ -15,9 +15,14 @@ use super::Window;
 use crate::support::scene::draw;
 use crate::support::window::{app, default_scene, widgets};
 
-/// A window that is so narrow that the cuboid is cut on the left and on the right.
+const NARROW: [usize; 2] = [420, 600];
+
+/// A window that was made so narrow that the cuboid is cut on the left and on the right.
 fn narrow() -> Window {
-    let window = Window::of(default_scene(), [420, 600]);
+    let mut window = Window::of(default_scene(), [1240, 600]);
+    window.size = NARROW;
+    window.step(Vec::new());
+    window.step(Vec::new());
     assert!(!shows(&window));
     window
 }
@@ -43,6 +48,21 @@ fn home_steps_back_until_all_is_in_sight_and_no_further() {
     window.press(Key::G);
     window.press(Key::Home);
     assert_eq!(window.record().camera[0].orbit, orbit);
+}
+
+#[test]
+fn a_narrow_picture_opens_with_all_in_sight_unless_the_camera_was_placed() {
+    let window = Window::of(default_scene(), NARROW);
+    assert!(shows(&window));
+    assert!(window.record().camera[0].orbit.zoom > 1.0);
+    assert!(!window.app.document.is_edited());
+    let wide = Window::of(default_scene(), [1240, 600]);
+    assert_eq!(wide.record(), SceneRecord::of(&default_scene().world));
+    // A saved place is explained where it was.
+    let mut record = wide.record();
+    record.view.pixel = Some([0.1, 0.1]);
+    let placed = Window::of(Scene::spawn("placed".to_owned(), &record), NARROW);
+    assert_eq!(placed.record().camera[0].orbit.zoom, 1.0);
 }
 
 #[test]

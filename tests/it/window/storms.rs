@@ -32,7 +32,7 @@ impl Storm {
         let size = most.map(|side| side as usize / 2);
         let window = Window::of(default_scene(), size);
         Storm {
-            first: window.record(),
+            first: SceneRecord::of(&default_scene().world),
             name: window.app.document.scene.name.clone(),
             window,
             random: Random(seed),
