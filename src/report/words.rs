@@ -36,11 +36,8 @@ pub fn interval(ends: [f64; 2], text: impl Fn(f64) -> String) -> String {
     }
 }
 
-/// A range of ratios whose ends have a larger ratio is none.
-const WIDE: f64 = 5.0;
-
 /// How fast one thing is against another, from the ranges of their times: "2.1 to 2.3 times as fast as". Ranges that overlap,
-/// or come as near as half a percent, or that are wide, are no measurable difference.
+/// or come as near as half a percent, are no measurable difference.
 pub fn pace(one: [f64; 2], other: [f64; 2]) -> String {
     let (fast, slow, word) = if one[1] < other[0] {
         (one, other, "fast")
@@ -50,8 +47,7 @@ pub fn pace(one: [f64; 2], other: [f64; 2]) -> String {
     let [least, most] = [slow[0] / fast[1], slow[1] / fast[0]];
     // Just above 1, three digits.
     let text = |ratio| rounded(ratio, if ratio < 1.1 { 2 } else { 1 }).to_string();
-    // On a busy machine a range says little.
-    if least.is_nan() || least < 1.005 || most / least > WIDE && most.is_finite() {
+    if least.is_nan() || least < 1.005 {
         "no measurable difference in time from".to_owned()
     } else if most.is_finite() {
         format!("{} times as {word} as", interval([least, most], text))
