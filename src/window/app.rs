@@ -289,20 +289,21 @@ impl App {
         Ok(())
     }
 
-    /// Moves the camera of a scene that was just opened away where a narrow picture would cut cuboids off that a picture of 4:3
+    /// Moves the camera of a scene or a window that is new away where a narrow picture would cut cuboids off that a picture of 4:3
     /// shows. A camera that was moved before, or explains a pixel, stays.
     fn fit(&mut self) {
-        if std::mem::replace(&mut self.document.is_fitted, true) {
+        let size = self.canvas.size();
+        if self.document.fitted.replace(size) == Some(size) {
             return;
         }
-        let [width, height] = self.canvas.size();
+        let [width, height] = size;
         let world = &mut self.document.scene.world;
         let orbit = get::<Orbit>(world, active_camera(world));
         let is_own = orbit.is_none_or(|it| it == Orbit::default()) && viewer(world).pixel.is_none();
         let shows_all = |width| shows_all(world, &View::of(world, [width, height]));
         let wide = height * 4 / 3;
         if is_own && width < wide && !shows_all(width) && shows_all(wide) {
-            controls::step_back(world, [width, height]);
+            controls::step_back(world, size);
             self.note_changes();
         }
     }

@@ -38,8 +38,8 @@ pub struct Document {
     pub folder: PathBuf,
     /// The step of the lesson, counted from 0.
     pub step: usize,
-    /// Whether the camera was fitted to the picture.
-    pub is_fitted: bool,
+    /// The size of the picture to which the camera was fitted.
+    pub fitted: Option<[usize; 2]>,
 }
 
 impl Document {
@@ -53,7 +53,7 @@ impl Document {
             unsaved: None,
             folder: PathBuf::from("."),
             step: 0,
-            is_fitted: false,
+            fitted: None,
             state,
             scene,
         }
@@ -179,7 +179,7 @@ impl Document {
         // A step is no edit.
         self.file.saved = Arc::clone(&step.record);
         self.step = place;
-        self.is_fitted = false;
+        self.fitted = None;
         None
     }
 

@@ -17,11 +17,11 @@ use crate::support::window::{app, default_scene, widgets};
 
 const NARROW: [usize; 2] = [420, 600];
 
-/// A window that was made so narrow that the cuboid is cut on the left and on the right.
+/// A window that is so narrow that the cuboid is cut on the left and on the right after the camera was moved back.
 fn narrow() -> Window {
-    let mut window = Window::of(default_scene(), [1240, 600]);
-    window.size = NARROW;
-    window.step(Vec::new());
+    let mut window = Window::of(default_scene(), NARROW);
+    let first = SceneRecord::of(&default_scene().world);
+    window.app.document.restore(&first);
     window.step(Vec::new());
     assert!(!shows(&window));
     window
@@ -58,8 +58,13 @@ fn a_narrow_picture_opens_with_all_in_sight_unless_the_camera_was_placed() {
     assert!(!window.app.document.is_edited());
     let wide = Window::of(default_scene(), [1240, 600]);
     assert_eq!(wide.record(), SceneRecord::of(&default_scene().world));
+    let mut resized = wide;
+    resized.size = NARROW;
+    resized.step(Vec::new());
+    resized.step(Vec::new());
+    assert!(shows(&resized));
     // A saved place is explained where it was.
-    let mut record = wide.record();
+    let mut record = SceneRecord::of(&default_scene().world);
     record.view.pixel = Some([0.1, 0.1]);
     let placed = Window::of(Scene::spawn("placed".to_owned(), &record), NARROW);
     assert_eq!(placed.record().camera[0].orbit.zoom, 1.0);
