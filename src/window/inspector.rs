@@ -90,9 +90,7 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
     let is_all = required.current().is_some_and(|it| it.is_all);
     wait(ui, study, is_all);
     let rows = required.value.as_ref().map(|it| it.rows.clone());
-    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
-    let table = Grid::new("required").striped(true).min_col_width(0.0);
-    table.max_col_width(words).show(ui, |ui| {
+    table(ui, "required", |ui| {
         for head in ["error", "needed", "part"] {
             ui.colored_label(INK, head);
         }
@@ -130,6 +128,13 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
     }
 }
 
+/// Lays out the rows of a table. The words in its last column wrap.
+fn table(ui: &mut Ui, name: &str, rows: impl FnOnce(&mut Ui)) {
+    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
+    let table = Grid::new(name).striped(true).min_col_width(0.0);
+    table.max_col_width(words).show(ui, rows);
+}
+
 /// The counts of the proof.
 fn proof_tab(ui: &mut Ui, study: &Study) {
     ui.label(
@@ -156,9 +161,7 @@ fn proof_tab(ui: &mut Ui, study: &Study) {
             ),
         ]
     });
-    let words = (ui.available_width() - NUMBERS).max(NUMBERS);
-    let table = Grid::new("proof").striped(true).min_col_width(0.0);
-    table.max_col_width(words).show(ui, |ui| {
+    table(ui, "proof", |ui| {
         for (number, words) in rows {
             ui.colored_label(INK, number);
             ui.colored_label(INK, words);

@@ -17,7 +17,7 @@ use crate::trade::verdict::method_name;
 /// The distance of a tag from the edges of the picture, in points.
 const GAP: f32 = 9.0;
 
-pub const SHORTCUT: &str =
+const SHORTCUT: &str =
     "The assignment's shortcut: n, l and o are interpolated as unit vectors and not normalised.";
 
 /// The sides to choose from.
@@ -28,7 +28,7 @@ fn choices() -> Vec<Side> {
 }
 
 /// The sentence about a side.
-fn says(side: &Side) -> &'static str {
+pub fn side_says(side: &Side) -> &'static str {
     match side {
         Side::Picture => "The picture as it is shaded.",
         Side::Reference => about("reference"),
@@ -84,7 +84,7 @@ pub fn tags(
                 for side in choices() {
                     let name = side_name(&side, shown);
                     let row = ui.selectable_value(&mut sides[index], side, name);
-                    row.on_hover_text(says(&side));
+                    row.on_hover_text(side_says(&side));
                 }
             });
             let price = side_method(&sides[index], shown).and_then(|it| facts.measured(it));

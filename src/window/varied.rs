@@ -43,7 +43,12 @@ impl Varied {
         let value = present(&self.variable.key, state);
         let refined = || Refined::new(self.variable.clone(), state, size);
         let wanted = value.and_then(|value| Ok((value, refined()?)));
-        self.wanted = wanted.map_err(|error| format!("{error:#}"));
+        let wanted = wanted.map_err(|error| format!("{error:#}"));
+        match (&mut self.wanted, wanted) {
+            // The scene of the curves stays the same record, which is compared by its address in each step.
+            (Ok((before, known)), Ok((value, new))) if known.is_same(&new) => *before = value,
+            (_, wanted) => self.wanted = wanted,
+        }
     }
 }
 

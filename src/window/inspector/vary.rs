@@ -7,7 +7,7 @@ use egui_plot::{
 };
 
 use super::scene::ANY;
-use crate::components::{ShadingMode, viewer};
+use crate::components::{ShadingMode, Side, viewer};
 use crate::report::chart::ticks;
 use crate::report::words::capital;
 use crate::scene::SceneRecord;
@@ -22,10 +22,9 @@ use crate::window::controls::choose_method;
 use crate::window::desk::Desk;
 use crate::window::document::Document;
 use crate::window::study::Study;
-use crate::window::tags::SHORTCUT;
+use crate::window::tags::side_says;
 use crate::window::varied::{Varied, common_keys};
 use crate::window::widgets::{BAD, INK, mode_ink, number, rounded, still, wait};
-use crate::window::words::about;
 
 const ABOUT: &str = "The largest error of the picture against exact Phong, in levels of 255, over the range of a number. Drag the \
                      line to change the number; a click on a curve chooses its method, or compares the unit vectors in a wipe. The button beside a number of the scene shows that one.";
@@ -157,11 +156,8 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
 
 /// The sentence about a curve.
 fn says(method: Option<Method>) -> &'static str {
-    match method.map(|it| it.mode) {
-        None => "The formula of Phong as one writes it down, in f32 throughout.",
-        Some(ShadingMode::UnitVectors) => SHORTCUT,
-        Some(_) => about("tolerance"),
-    }
+    let textbook = "The formula of Phong as one writes it down, in f32 throughout.";
+    method.map_or(textbook, |method| side_says(&Side::from(method)))
 }
 
 fn ink(method: Option<Method>) -> Color32 {

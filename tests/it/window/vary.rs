@@ -1,6 +1,5 @@
 //! The tab of a number that is varied: its curves, the line that is dragged, the curve that is clicked.
 
-use std::cell::Cell;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
@@ -147,23 +146,18 @@ fn the_line_is_dragged_and_a_click_on_a_curve_chooses_its_method() {
 fn every_number_of_the_scene_has_a_button() {
     let mut harness = widgets(Window::of(default_scene(), SIZE).app, SIZE);
     press(&mut harness, Press::E);
+    // The first chart button is that of the segments, in the panel.
     for (label, key) in [
         ("x", "cuboid.emerald.size.x"),
-        ("📈", "light.white.intensity"),
+        ("📈", "cuboid.emerald.segments"),
     ] {
         let found = places(&harness, label);
         click(&mut harness, &[found[0]]);
-        // The first chart button is that of the segments, in the panel.
         let desk = &harness.state().desk;
         let varied = desk
             .varied
             .as_ref()
             .unwrap_or_else(|| panic!("{:?}", desk.message));
-        let key = if label == "x" {
-            key
-        } else {
-            "cuboid.emerald.segments"
-        };
         assert_eq!(varied.variable.key, Key::from(key));
         assert_eq!(harness.state().desk.tab, Some(Tab::Vary));
         press(&mut harness, Press::E);
@@ -190,7 +184,7 @@ fn work_in_pieces_finds_the_same() {
         Variable::around(Key::from("light.white.position.z"), &record).expect("a number");
     let none = Refined::new(variable, &record, [320, 240]).expect("a scene");
     let at_once = finished(none.clone().refine(5, Level::new(), Monitor::NONE));
-    let polls = Cell::new(0);
+    let mut polls = 0;
     let monitor = Monitor {
         is_due: Some(&|| true),
         ..Monitor::NONE
@@ -202,7 +196,7 @@ fn work_in_pieces_finds_the_same() {
             .poll(&mut Context::from_waker(Waker::noop()))
         {
             Poll::Ready(found) => break found,
-            Poll::Pending => polls.set(polls.get() + 1),
+            Poll::Pending => polls += 1,
         }
     };
     let [pieces, at_once] = [pieces, at_once].map(|it| it.expect("a small picture fits").curves());
@@ -214,5 +208,5 @@ fn work_in_pieces_finds_the_same() {
             .all(|(one, other)| one.1 == other.1)
     );
     // A pause after each row of five small pictures.
-    assert!(polls.get() >= 5 * 50, "{}", polls.get());
+    assert!(polls >= 5 * 50, "{polls}");
 }
