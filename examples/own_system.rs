@@ -6,8 +6,8 @@ use fearless_simd::Level;
 use hecs::World;
 use image::{Rgb, RgbImage};
 use shadetrade::components::{Mesh, VertexColors, View, ordered};
-use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::scene::Scene;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 use shadetrade::systems::{self, FRAME};
 
 /// A component: the distance of two vertex colours, in levels.

@@ -3,9 +3,10 @@
 use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::{ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::prove::prove;
-use shadetrade::report::{Monitor, finished};
+use shadetrade::systems::frame::{Frame, Keep, Workers};
+use shadetrade::questions::prove::prove;
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
 use shadetrade::systems;
 
 /// Proves the picture of `view` in both modes, at its tolerance and exactly.

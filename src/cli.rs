@@ -20,8 +20,8 @@ use clap_complete::Shell;
 use rayon::ThreadPoolBuilder;
 
 use crate::components::ShadingMode;
-use crate::drawing::all_cores;
 use crate::output::Output;
+use crate::questions::job::all_cores;
 pub use commands::{
     DEFAULT_FIGURES, ExportOptions, ExtremesOptions, LessonOptions, ProbeOptions, ProveOptions,
     RenderOptions, RequiresOptions, TradeOptions, VaryOptions, ViewOptions,

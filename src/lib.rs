@@ -42,8 +42,9 @@
 //!
 //! ```
 //! use shadetrade::components::{ShadingMode, View, overwrite, viewer_mut};
-//! use shadetrade::frame::{Frame, Keep, Workers};
-//! use shadetrade::{scene::Scene, systems};
+//! use shadetrade::systems::frame::{Frame, Keep, Workers};
+//! use shadetrade::scene::Scene;
+//! use shadetrade::systems;
 //!
 //! let mut scene = Scene::load(None)?; // the built-in cuboid
 //! overwrite(&mut scene.world, &ShadingMode::Phong); // of all cuboids
@@ -78,10 +79,12 @@
 //! - [`shading::unit_vectors`], the assignment's shortcut, interpolates unit n, l and o linearly on the screen and does
 //!   not normalise them.
 //!
-//! [`probe`] explains one pixel: it evaluates every light's term, and both modes beside the reference.
+//! [`questions::probe`] explains one pixel: it evaluates every light's term, and both modes beside the reference.
 //!
 //! ```
-//! # use shadetrade::{components::View, probe, scene::Scene};
+//! # use shadetrade::components::View;
+//! # use shadetrade::questions::probe;
+//! # use shadetrade::scene::Scene;
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View::of(&scene.world, [960, 720]);
 //! // The middle of the highlight. Gouraud misses it, because no vertex lies in it.
@@ -112,16 +115,19 @@
 //!
 //! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and
 //! shares no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]).
-//! [`trade`] compares methods with it in f64 and measures their times; [`metrics`] has the errors. In intervals, rounded
-//! outwards, the reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@prove`] compares the
+//! [`questions::trade`] compares methods with it in f64 and measures their times; [`questions::metrics`] has the errors. In intervals, rounded
+//! outwards, the reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@questions::prove`] compares the
 //! drawn picture with that.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};
-//! # use shadetrade::frame::{Frame, Keep, Workers};
-//! # use shadetrade::{scene::Scene, systems};
-//! use shadetrade::{reference, report::{Monitor, finished}};
-//! use shadetrade::metrics::{Picture, compare};
+//! # use shadetrade::systems::frame::{Frame, Keep, Workers};
+//! # use shadetrade::scene::Scene;
+//! # use shadetrade::systems;
+//! use shadetrade::reference;
+//! use shadetrade::output::Monitor;
+//! use shadetrade::output::finished;
+//! use shadetrade::questions::metrics::{Picture, compare};
 //! # let mut scene = Scene::load(None)?;
 //! # let view = View::of(&scene.world, [320, 240]).shaded(ShadingMode::Phong);
 //! # let mut frame = Frame::new(Keep::Levels, Workers::new(1, fearless_simd::Level::new())?);
@@ -130,7 +136,7 @@
 //! let truth = finished(reference::picture(&scene.world, &view, 0..240, Monitor::NONE))?;
 //! let error = compare(Picture::from(&frame), Picture::from(&truth)).error.expect("a cuboid is there");
 //! assert!(error.max <= 0.5 && error.mean < 0.05);
-//! # use shadetrade::prove::prove;
+//! # use shadetrade::questions::prove::prove;
 //!
 //! // The same, proven: an interval encloses each exact level, and the drawn level is within half a level of all of it.
 //! let level = fearless_simd::Level::new();
@@ -139,7 +145,7 @@
 //! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
-//! [`mod@requires`] encloses two pictures, with and without a part of the model. Their difference bounds the error. It
+//! [`mod@questions::requires`] encloses two pictures, with and without a part of the model. Their difference bounds the error. It
 //! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn,
 //! and says which of them the tolerance requires, and on how fine a grid Gouraud keeps it. [`reference::Rule`] lists the
 //! parts that no scene file can leave out.
@@ -147,8 +153,8 @@
 //! # Extreme numbers
 //!
 //! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
-//! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`extremes`] proves every
-//! pixel of them, and compares levels with those that are known on paper. [`vary`] varies one number of a scene and
+//! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`questions::extremes`] proves every
+//! pixel of them, and compares levels with those that are known on paper. [`questions::vary`] varies one number of a scene and
 //! shows where methods, f32 and f64 cease to keep the tolerance. All is computed from differences to the eye, and no
 //! threshold is an absolute length: a scene that is moved, or scaled by a power of two, has the same bits if none of its
 //! numbers is rounded.
@@ -163,8 +169,8 @@
 //! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
-//! - a metric: a pure function in [`metrics`], and a field of [`trade::Measurement`], which JSON has automatically;
-//!   a row of `COLUMNS` in [`trade::export`] if the table is to show it as well;
+//! - a metric: a pure function in [`questions::metrics`], and a field of [`questions::trade::Measurement`], which JSON has automatically;
+//!   a row of `COLUMNS` in [`questions::trade::export`] if the table is to show it as well;
 //! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
 //! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
@@ -175,26 +181,22 @@
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`; in `cli.rs`, a row of
 //!   `start_threads` if it evaluates the reference, and of `check_standard_output` if it can write two results.
 //!
-//! # Who may import whom
+//! # Who may import whom: nine rooms
 //!
 //! ```text
 //! main
-//! cli          window       extremes
-//! vary
-//! prove        requires     pictures     probe      export
-//! trade
-//! drawing      metrics
+//! cli          window
+//! questions
 //! systems      reference
-//! frame
-//! shading      scene        output
-//! components   paint        memory       simd       report     files
+//! shading      scene
+//! components   output
 //! ```
 //!
-//! A module imports from lower layers only, and `tests/it/layers.rs` reads this drawing. Beyond that: [`mod@reference`]
-//! takes components, [`memory`] and [`report::progress`], never a formula of the renderer's;
-//! [`report`] imports no module of this crate; [`cli`] imports what it needs to convert and check options; minifb is named
-//! in [`window`] alone, and egui in [`paint`], [`window`] and the modules that draw letters: [`pictures`] and the error map
-//! of [`trade`].
+//! A room imports from lower lines only, and `tests/it/layers.rs` reads this drawing, and the one of [`questions`] inside that
+//! room. Beyond that: [`mod@reference`] takes components, [`output::memory`] and [`output::progress`], never a formula of the
+//! renderer's; [`output`] imports nothing else of this crate; [`cli`] imports what it needs to convert and check options;
+//! minifb is named in [`window`] alone, egui in [`output::paint`], [`window`] and the modules that draw letters, which are
+//! [`questions::figures`] and the error map of [`questions::trade`]; only [`scene`] reads and writes TOML.
 //!
 //! # What is not modelled, and why
 //!
@@ -204,25 +206,10 @@
 
 pub mod cli;
 pub mod components;
-pub mod drawing;
-pub mod export;
-pub mod extremes;
-pub mod files;
-pub mod frame;
-pub mod memory;
-pub mod metrics;
 pub mod output;
-pub mod paint;
-pub mod pictures;
-pub mod probe;
-pub mod prove;
+pub mod questions;
 pub mod reference;
-pub mod report;
-pub mod requires;
 pub mod scene;
 pub mod shading;
-pub mod simd;
 pub mod systems;
-pub mod trade;
-pub mod vary;
 pub mod window;

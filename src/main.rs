@@ -8,8 +8,16 @@ use anyhow::anyhow;
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, LessonOptions, ProbeOptions, ViewOptions,
 };
+use shadetrade::output;
+use shadetrade::questions::export;
+use shadetrade::questions::extremes;
+use shadetrade::questions::figures;
+use shadetrade::questions::probe;
+use shadetrade::questions::prove;
+use shadetrade::questions::requires;
+use shadetrade::questions::trade;
+use shadetrade::questions::vary;
 use shadetrade::window::{self, NoDisplay};
-use shadetrade::{export, extremes, output, pictures, probe, prove, requires, trade, vary};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -32,9 +40,9 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let mut drawing = options.drawing.open(Some(&options.output))?;
             options.budget.apply_to(&mut drawing);
             if options.reference {
-                pictures::render_reference(&mut drawing, &options.output)
+                figures::render_reference(&mut drawing, &options.output)
             } else {
-                pictures::render(&mut drawing, &options.output)
+                figures::render(&mut drawing, &options.output)
             }
         }
         Command::Trade(options) if options.batch => trade::batch::run(),
@@ -57,7 +65,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
             let (drawing, path) = options.open()?;
             export::run(&drawing, path)
         }
-        Command::Figures { output } => pictures::figures(&output),
+        Command::Figures { output } => figures::figures(&output),
         Command::Completions { shell } => cli::print_completions(shell),
     }?;
     Ok(())
@@ -104,7 +112,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
         && is_plain
     {
         output::say(&format!("{missing}; drawing the figures instead"));
-        return Ok(pictures::figures(Path::new(cli::DEFAULT_FIGURES))?);
+        return Ok(figures::figures(Path::new(cli::DEFAULT_FIGURES))?);
     }
     let render = format!("render {scene} -o FILE.png` draws a picture");
     Ok(closed.map_err(|error| advise(error, &render))?)

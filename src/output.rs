@@ -2,7 +2,14 @@
 //!
 //! It is no error if the reader of standard output closes it early.
 
+pub mod chart;
+pub mod files;
+pub mod memory;
+pub mod paint;
 mod png;
+pub mod progress;
+pub mod tables;
+pub mod words;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
@@ -11,8 +18,9 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use serde::Serialize;
 
-pub use crate::files::one_line;
-use crate::files::{self, descriptor};
+pub use self::progress::{CANCELLED, Monitor, finished};
+use crate::output::files::descriptor;
+pub use crate::output::files::one_line;
 pub use png::{Animation, encode_png};
 
 /// The destination of a file's content.

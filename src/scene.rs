@@ -15,6 +15,7 @@ mod large;
 mod lesson;
 mod record;
 mod save;
+pub mod unseen;
 mod world;
 
 use std::io::{self, ErrorKind, Read};
@@ -30,7 +31,7 @@ pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
 pub use crate::components::range;
 use crate::components::{Camera, Light, Name, names, viewer_mut};
-use crate::files;
+use crate::output::files;
 
 /// In MiB: room for fifty thousand cuboids, whose parsing takes 1.6 GB at most.
 pub const LARGEST: u64 = 16;

@@ -57,6 +57,7 @@ pub mod rows;
 #[cfg(test)]
 mod running;
 mod shader;
+pub mod simd;
 pub mod specular;
 pub mod square;
 mod surface;

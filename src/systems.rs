@@ -1,6 +1,7 @@
 //! The stages of a frame, in the order in which they run: [`FRAME`].
 
 pub mod coverage;
+pub mod frame;
 pub mod lighting;
 pub mod normals;
 pub mod projection;
@@ -12,9 +13,9 @@ use std::ops::Range;
 use hecs::World;
 
 use crate::components::{Mesh, Segments, ShadingMode, View};
-use crate::frame::Frame;
-use crate::memory::OutOfMemory;
+use crate::output::memory::OutOfMemory;
 use crate::shading::grid::Grids;
+use crate::systems::frame::Frame;
 
 /// A system: reads components, and overwrites derived ones or the frame.
 pub type Stage = fn(&mut World, &View, &mut Frame);

@@ -15,15 +15,16 @@ use clap::builder::{
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::components::common;
-use crate::drawing::Drawing;
-use crate::export;
 use crate::output::Output;
-use crate::prove::{PngPicture, read_png};
+use crate::questions::export;
+use crate::questions::job::Drawing;
+use crate::questions::prove::{PngPicture, read_png};
+use crate::questions::trade;
+use crate::questions::vary;
+use crate::questions::vary::picture::Contender;
+use crate::questions::vary::variable::Variable;
 use crate::scene::{BUILT_IN, Scene, SceneRecord};
 use crate::shading::{METHODS, Method, methods};
-use crate::vary::picture::Contender;
-use crate::vary::variable::Variable;
-use crate::{trade, vary};
 
 /// The options of `view`.
 #[derive(Args, Clone, Debug)]

@@ -75,7 +75,7 @@ use super::gloss::Gloss;
 use super::interpolation::AMPLIFICATION;
 use super::lanes::{cross, dot};
 use super::specular::{self, EXPONENT_ERROR};
-use crate::simd::{three, two};
+use crate::shading::simd::{three, two};
 
 /// The least s, and the largest error of rho ln s, of a highlight whose logarithm is interpolated. With such an s the error of
 /// s itself is small beside it, and e to the power of such an error is below 1.3: [`super::interpolation::ROW_ERROR`] counts on that.

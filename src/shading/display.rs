@@ -5,7 +5,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, u32x16};
 
-use crate::simd::three;
+use crate::shading::simd::three;
 
 /// The display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
 pub fn display_step(level: f64) -> u8 {
@@ -42,7 +42,7 @@ pub(super) fn display<S: Simd>(levels: [f32x16<S>; 3]) -> u32x16<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::token;
+    use crate::shading::simd::token;
 
     /// The byte of one level by the fast step, in all three places.
     fn shown(level: f32) -> u32 {
@@ -75,14 +75,14 @@ mod tests {
 
     #[test]
     fn what_is_not_a_number_is_black_at_every_simd_level() {
-        for level in crate::simd::NAMES
+        for level in crate::shading::simd::NAMES
             .into_iter()
-            .filter_map(crate::simd::named)
+            .filter_map(crate::shading::simd::named)
         {
-            let pixel = crate::simd::dispatch!(level, simd => {
+            let pixel = crate::shading::simd::dispatch!(level, simd => {
                 display([f32x16::splat(simd, f32::NAN); 3]).as_array()[0]
             });
-            assert_eq!(pixel, 0, "{}", crate::simd::name(level));
+            assert_eq!(pixel, 0, "{}", crate::shading::simd::name(level));
         }
     }
 

@@ -10,7 +10,7 @@ use super::affine::Affine;
 use super::lanes::{cross, dot};
 use super::square::Square;
 use crate::components::Lens;
-use crate::simd::{four, inlined, three, two};
+use crate::shading::simd::{four, inlined, three, two};
 
 /// The largest relative radius of a vector whose direction is bounded.
 pub const MAX_RADIUS: f64 = 0.5;

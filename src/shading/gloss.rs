@@ -112,8 +112,8 @@ pub(super) mod tests {
     use super::*;
     use crate::components::{Illumination, Material, PointLight};
     use crate::shading::U;
+    use crate::shading::simd::token;
     use crate::shading::specular::{self, power_exact};
-    use crate::simd::token;
 
     /// A material under one light of 100 levels.
     pub fn gloss(shininess: f64, tolerance: f64) -> Gloss {

@@ -17,7 +17,7 @@ use super::grid::{Grid, Patch};
 use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
 use super::lanes::{LaneLayout, Squares, has};
 use super::{U, limit};
-use crate::simd::{four, inlined, outlined, three, two};
+use crate::shading::simd::{four, inlined, outlined, three, two};
 
 /// A face with levels at its vertices, and the squares of it that were prepared last.
 pub struct Gouraud<'a> {

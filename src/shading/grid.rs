@@ -15,8 +15,8 @@ use glam::DVec3;
 
 use super::U;
 use crate::components::Segments;
-use crate::memory::{self, OutOfMemory};
-use crate::simd::{inlined, three, two};
+use crate::output::memory::{self, OutOfMemory};
+use crate::shading::simd::{inlined, three, two};
 
 /// The grids of all faces in a frame.
 #[derive(Debug, Default)]
@@ -280,7 +280,7 @@ mod tests {
 
     use super::super::running::{Rounded, at_corner, w_at_corner};
     use super::*;
-    use crate::simd::token;
+    use crate::shading::simd::token;
 
     const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 

@@ -20,7 +20,7 @@ use super::lanes::{Squares, has};
 use super::rows::{Curve, Ramp};
 use super::square::Square;
 use super::{SquareKind, U};
-use crate::simd::{four, three};
+use crate::shading::simd::{four, three};
 
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;

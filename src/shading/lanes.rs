@@ -9,7 +9,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x4, f32x16, mask32x16};
 
 use super::affine::Affine;
-use crate::simd::{inlined, three};
+use crate::shading::simd::{inlined, three};
 
 /// The scalar product.
 #[inline(always)]
@@ -89,7 +89,7 @@ impl LaneLayout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::token;
+    use crate::shading::simd::token;
 
     #[test]
     fn each_square_has_its_own_lanes() {

@@ -35,7 +35,7 @@ use super::specular::{self, POWER_ERROR};
 use super::surface::Surface;
 use super::{U, limit};
 use crate::components::{Projection, unit};
-use crate::simd::{four, inlined, three};
+use crate::shading::simd::{four, inlined, three};
 
 /// A point light on a face, and on the squares prepared last.
 #[derive(Clone, Copy, Debug, Default)]

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::display::display;
 use super::rows::counted;
 use super::square::MAX_SIDE;
-use crate::simd::{three, two};
+use crate::shading::simd::{three, two};
 
 /// The most pixels of a square, and room for the lanes beyond the last.
 const MOST: usize = MAX_SIDE * MAX_SIDE + 16;

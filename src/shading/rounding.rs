@@ -108,7 +108,7 @@ mod tests {
     use super::super::specular::{EXPONENT_ERROR, POWER_ERROR};
     use super::super::{field, interpolation};
     use super::*;
-    use crate::simd::{Baseline, token};
+    use crate::shading::simd::{Baseline, token};
 
     /// A vector of length one at the middle of a square, which moves by that much to the right and down.
     type Moving = [[f64; 3]; 3];

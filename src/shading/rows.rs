@@ -8,7 +8,7 @@ use super::display::display;
 use super::interpolation::{FOURTH, SquareColor};
 use super::specular::exp2;
 use super::square::{MAX_SIDE, Square};
-use crate::simd::{four, three, two};
+use crate::shading::simd::{four, three, two};
 
 /// The colours of a square, evaluated in sixteen columns at a time.
 pub trait Rows<S: Simd> {

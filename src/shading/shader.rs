@@ -15,7 +15,7 @@ use super::rows::{Pointwise, Rows};
 use super::square::Square;
 use super::unit_vectors::UnitVectors;
 use super::{Counts, SquareKind};
-use crate::simd::{inlined, outlined, two};
+use crate::shading::simd::{inlined, outlined, two};
 
 /// Shades a face in one of the modes.
 pub enum Shader<'a> {

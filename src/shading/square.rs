@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::simd::{four, two};
+use crate::shading::simd::{four, two};
 
 /// The side of the largest squares, in pixels.
 pub const MAX_SIDE: usize = 32;

@@ -22,7 +22,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, i32x16};
 
 use crate::components::Polygon;
-use crate::simd::inlined;
+use crate::shading::simd::inlined;
 
 /// The first row (or pixel) whose centre is at or beyond a coordinate.
 fn first_centre(coordinate: i32) -> i64 {

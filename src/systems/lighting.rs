@@ -14,8 +14,8 @@ use crate::components::{
     FACES, Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
     Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
 };
-use crate::frame::{DrawList, Frame};
 use crate::shading::Surface;
+use crate::systems::frame::{DrawList, Frame};
 
 /// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {

@@ -3,7 +3,7 @@
 use hecs::World;
 
 use crate::components::{Mesh, NormalMode, Normals, View, WorldTransform};
-use crate::frame::Frame;
+use crate::systems::frame::Frame;
 
 /// Overwrites the [`Normals`] of every cuboid.
 pub fn run(world: &mut World, _view: &View, _frame: &mut Frame) {

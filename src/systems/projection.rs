@@ -17,8 +17,8 @@ use self::frustum::Frustum;
 use crate::components::{
     FACES, Lens, Mesh, Projected, Projection, View, WorldTransform, outward_sign,
 };
-use crate::frame::Frame;
 use crate::shading::face::Rays;
+use crate::systems::frame::Frame;
 
 /// Overwrites the lens and the lines of sight of the frame, and the [`Projected`] of every cuboid.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {

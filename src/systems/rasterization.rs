@@ -21,11 +21,11 @@ use fearless_simd::{Simd, f64x8, mask32x8, mask64x8, u32x8};
 use hecs::World;
 
 use crate::components::{TriangleId, View};
-use crate::frame::{Band, DrawList, Frame, Piece};
 use crate::shading::Scratch;
 use crate::shading::affine::Affine;
+use crate::shading::simd::{dispatch, inlined};
 use crate::shading::square::MAX_SIDE;
-use crate::simd::{dispatch, inlined};
+use crate::systems::frame::{Band, DrawList, Frame, Piece};
 
 /// Depths whose relative difference is smaller than this tie, and the cuboid earlier in the file wins. Without this rule
 /// rounding would make coplanar faces flicker. Each face is compared with the nearest one so far, in the

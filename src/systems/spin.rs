@@ -3,7 +3,7 @@
 use hecs::World;
 
 use crate::components::{Transform, View, WorldTransform};
-use crate::frame::Frame;
+use crate::systems::frame::Frame;
 
 /// Overwrites the [`WorldTransform`] of every cuboid.
 pub fn run(world: &mut World, view: &View, _frame: &mut Frame) {

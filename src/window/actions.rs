@@ -11,11 +11,11 @@ use super::keys::{self, Action, EXACT_SIDES};
 use super::pictures::{side_method, sides};
 use super::viewport::DIVIDER_MARGIN;
 use crate::components::ViewMode;
-use crate::files::write_numbered;
 use crate::output::encode_png;
+use crate::output::files::write_numbered;
+use crate::questions::trade::Measurement;
 use crate::scene::SceneRecord;
 use crate::scene::key;
-use crate::trade::Measurement;
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.

@@ -26,11 +26,11 @@ use super::inspector::Tab;
 use super::pictures::or_dimmed;
 use super::study::{Background, Study, Subject, change};
 use crate::components::{Mesh, Orbit, View, Viewer, active_camera, get, viewer, viewer_mut};
-use crate::drawing::Drawing;
-use crate::drawing::unseen::shows_all;
-use crate::paint::{Painter, area};
-use crate::probe::Probe;
+use crate::output::paint::{Painter, area};
+use crate::questions::job::Drawing;
+use crate::questions::probe::Probe;
 use crate::scene::Scene;
+use crate::scene::unseen::shows_all;
 use crate::shading::Method;
 
 /// The width of a window that opens without its panel, in pixels.

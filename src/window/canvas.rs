@@ -10,9 +10,9 @@ use hecs::World;
 use super::facts::Facts;
 use super::pictures::{Pictures, divider_column, or_dimmed};
 use crate::components::{Side, View, ViewMode, Viewer};
-use crate::frame::Workers;
-use crate::memory::{self, OutOfMemory};
+use crate::output::memory::{self, OutOfMemory};
 use crate::scene::SceneRecord;
+use crate::systems::frame::Workers;
 
 /// The time without a change after which the picture is compared, measured and proven.
 pub const REST: Duration = Duration::from_millis(100);

@@ -21,13 +21,13 @@ use super::keys::{Action, caption};
 use super::study::Study;
 use super::widgets::{GOURAUD, INK, PHONG, mode_ink, offer, rounded, short};
 use crate::components::{ShadingMode, viewer};
-use crate::report::chart::ticks;
-use crate::report::words::capital;
+use crate::output::chart::ticks;
+use crate::output::words::capital;
+use crate::questions::trade::plot::{FLOOR, place_of, vertices};
+use crate::questions::trade::timing::clock_step;
+use crate::questions::trade::verdict::{UNSEEN, method_name, sentence};
+use crate::questions::trade::{Measurement, front};
 use crate::shading::Method;
-use crate::trade::plot::{FLOOR, place_of, vertices};
-use crate::trade::timing::clock_step;
-use crate::trade::verdict::{UNSEEN, method_name, sentence};
-use crate::trade::{Measurement, front};
 
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;

@@ -8,9 +8,9 @@ use super::facts::Facts;
 use super::widgets::{rounded, short};
 use crate::components::range::Milliseconds;
 use crate::components::{View, Viewer, common_mode, viewer, viewer_mut};
+use crate::questions::trade::budget::{after, best_trades, fitting, held, over};
+use crate::questions::trade::verdict::method_name;
 use crate::shading::Method;
-use crate::trade::budget::{after, best_trades, fitting, held, over};
-use crate::trade::verdict::method_name;
 
 /// The factor of a press of a key.
 const STEP: f64 = 1.25;

@@ -4,14 +4,14 @@ use fearless_simd::Level;
 use hecs::World;
 
 use crate::components::{ShadingMode, View};
-use crate::frame::{Frame, Keep, Workers, display_pixel};
-use crate::memory;
-use crate::metrics::{self, Picture};
+use crate::output::Monitor;
+use crate::output::memory;
+use crate::output::progress::bands;
+use crate::questions::metrics::{self, Picture};
+use crate::questions::trade::error_map::Scale;
 use crate::reference;
-use crate::report::Monitor;
-use crate::report::progress::bands;
 use crate::systems;
-use crate::trade::error_map::Scale;
+use crate::systems::frame::{Frame, Keep, Workers, display_pixel};
 
 /// A picture against the reference in f64.
 #[derive(Clone, Debug, Default, PartialEq)]

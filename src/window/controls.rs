@@ -11,9 +11,9 @@ use crate::components::{
     Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, View, ViewMode,
     active_camera, common, get, names, ordered, overwrite, viewer, viewer_mut,
 };
-use crate::drawing::camera_name;
-use crate::drawing::unseen::shows_all;
-use crate::report::words::counted;
+use crate::output::words::counted;
+use crate::questions::job::camera_name;
+use crate::scene::unseen::shows_all;
 use crate::shading::Method;
 
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::inspector::Tab;
 use super::keys::Action;
 use super::varied::Varied;
-use crate::requires::Part;
+use crate::questions::requires::Part;
 use crate::scene::Scene;
 use crate::scene::key::Key;
 

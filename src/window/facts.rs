@@ -12,15 +12,16 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use web_time::Instant;
 
 use super::comparison::Comparison;
-use crate::drawing::all_cores;
-use crate::probe::Probe;
-use crate::prove::Proof;
-use crate::report::{Monitor, finished};
-use crate::requires::segments::FewestSegments;
-use crate::requires::{Part, PartChanges};
+use crate::output::Monitor;
+use crate::output::finished;
+use crate::questions::job::all_cores;
+use crate::questions::probe::Probe;
+use crate::questions::prove::Proof;
+use crate::questions::requires::segments::FewestSegments;
+use crate::questions::requires::{Part, PartChanges};
+use crate::questions::trade::Measurement;
+use crate::questions::vary::refined::Refined;
 use crate::shading::Method;
-use crate::trade::Measurement;
-use crate::vary::refined::Refined;
 
 /// The last value found, perhaps of an earlier picture.
 #[derive(Debug)]

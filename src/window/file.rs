@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use anyhow::{bail, ensure};
 
-use crate::files::{self, Stamp, stamp, write_numbered};
 use crate::output::Output;
+use crate::output::files::{self, Stamp, stamp, write_numbered};
 use crate::scene::{self, Scene, SceneRecord};
 
 /// The time from one look at the file to the next.

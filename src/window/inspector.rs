@@ -12,7 +12,7 @@ use super::app::App;
 use super::desk::Desk;
 use super::study::Study;
 use super::widgets::{INK, scrolled, short, wait};
-use crate::requires::{PartChange, ranked};
+use crate::questions::requires::{PartChange, ranked};
 
 /// A page of the inspector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -20,8 +20,8 @@ use super::tags::side_name;
 use super::widgets::{BAD, GOOD, INK, scrolled, short};
 use super::words::{WORDS, about};
 use crate::components::{Side, ViewMode, Viewer};
+use crate::questions::trade::verdict::method_name;
 use crate::shading::Method;
-use crate::trade::verdict::method_name;
 
 /// The least and the usual width of a side, in points.
 const LEAST: f32 = 213.0;

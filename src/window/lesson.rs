@@ -11,11 +11,11 @@ use super::document::Document;
 use super::keys::Action;
 use super::study::Background;
 use super::widgets::{INK, offer};
-use crate::drawing::Drawing;
-use crate::memory;
+use crate::output::memory;
+use crate::output::progress::with_bar;
+use crate::output::words::counted;
 use crate::output::{Animation, Output, say};
-use crate::report::progress::with_bar;
-use crate::report::words::counted;
+use crate::questions::job::Drawing;
 
 /// Letters are this share of the window's height, and at least and at most so many points.
 const LETTERS: f32 = 38.0;

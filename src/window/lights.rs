@@ -12,9 +12,9 @@ use crate::components::range::Coordinate;
 use crate::components::{
     Camera, Lens, Light, LightKind, Name, Transform, View, active_camera, in_file_order,
 };
-use crate::frame::display_pixel;
-use crate::paint::color;
-use crate::probe::ProbedSurface;
+use crate::output::paint::color;
+use crate::questions::probe::ProbedSurface;
+use crate::systems::frame::display_pixel;
 
 /// No more discs than this are drawn.
 const MOST: usize = 100;

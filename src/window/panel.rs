@@ -27,7 +27,7 @@ use crate::components::{
     Camera, Light, LightKind, Name, Projection, Segments, ShadingMode, Side, ViewMode, Viewer,
     common, names, ordered, overwrite, viewer, viewer_mut,
 };
-use crate::drawing::camera_name;
+use crate::questions::job::camera_name;
 use crate::scene::key::Key;
 use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence};
 

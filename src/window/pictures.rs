@@ -10,10 +10,10 @@ use hecs::World;
 use web_time::Instant;
 
 use crate::components::{Light, LightKind, ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
-use crate::frame::{Frame, Keep, SQUARE_EDGE, Workers};
-use crate::memory::{self, OutOfMemory};
+use crate::output::memory::{self, OutOfMemory};
 use crate::shading::{Method, SquareKind};
 use crate::systems;
+use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers};
 
 /// The weight of a square's tint, of 256, and that on its outline.
 const TINT_WEIGHT: u32 = 168;

@@ -12,7 +12,7 @@ use super::app::App;
 use super::display::Display;
 use super::study::Background;
 use super::unsaved;
-use crate::drawing::Drawing;
+use crate::questions::job::Drawing;
 
 /// The time between two polls while the user does something, so that short clicks are seen.
 const BUSY_PAUSE: Duration = Duration::from_millis(2);

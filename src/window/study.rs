@@ -15,17 +15,17 @@ use super::facts::{Facts, Latest, Question, Work, pool};
 use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
 use crate::components::{Side, View, ViewMode, alike};
-use crate::drawing::Drawing;
-use crate::frame::Workers;
-use crate::probe;
-use crate::prove::prove;
-use crate::report::Monitor;
-use crate::requires::segments::fewest_segments;
-use crate::requires::{more_changes, picture_without};
+use crate::output::Monitor;
+use crate::questions::job::Drawing;
+use crate::questions::probe;
+use crate::questions::prove::prove;
+use crate::questions::requires::segments::fewest_segments;
+use crate::questions::requires::{more_changes, picture_without};
+use crate::questions::trade::batch::time_here;
+use crate::questions::trade::{Request, is_timed, measure};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{Method, methods};
-use crate::trade::batch::time_here;
-use crate::trade::{Request, is_timed, measure};
+use crate::systems::frame::Workers;
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);

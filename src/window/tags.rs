@@ -9,10 +9,10 @@ use super::pictures::side_method;
 use super::widgets::{INK, short};
 use super::words::about;
 use crate::components::{ShadingMode, Side, viewer, viewer_mut};
-use crate::report::words::capital;
+use crate::output::words::capital;
+use crate::questions::trade::Measurement;
+use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, Method};
-use crate::trade::Measurement;
-use crate::trade::verdict::method_name;
 
 /// The distance of a tag from the edges of the picture, in points.
 const GAP: f32 = 9.0;

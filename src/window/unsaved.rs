@@ -22,8 +22,8 @@ use web_time::SystemTime;
 use super::desk::{Command, Desk};
 use super::document::{Document, has_edits};
 use super::file::{numbered, stem};
-use crate::files::{self, Lock, write_numbered};
 use crate::output::Output;
+use crate::output::files::{self, Lock, write_numbered};
 use crate::scene::{self, Scene, SceneRecord};
 
 /// The time from a change to its file.

@@ -7,11 +7,11 @@ use hecs::World;
 use super::desk::Desk;
 use super::inspector::Tab;
 use crate::components::{Mesh, names};
-use crate::drawing::camera_name;
+use crate::questions::job::camera_name;
+use crate::questions::vary::refined::Refined;
+use crate::questions::vary::variable::{Variable, present};
 use crate::scene::SceneRecord;
 use crate::scene::key::Key;
-use crate::vary::refined::Refined;
-use crate::vary::variable::{Variable, present};
 
 /// A number of the scene, and its range.
 pub struct Varied {

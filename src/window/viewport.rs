@@ -20,10 +20,10 @@ use super::widgets::{BAD, INK, tag, wait};
 use crate::components::{
     FileOrder, Lens, LightKind, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
 };
-use crate::drawing::unseen;
-use crate::paint::color;
+use crate::output::paint::color;
+use crate::questions::trade::error_map::{EDGE, NOTHING, Scale};
+use crate::scene::unseen;
 use crate::shading::SquareKind;
-use crate::trade::error_map::{EDGE, NOTHING, Scale};
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;

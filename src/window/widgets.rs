@@ -14,7 +14,7 @@ use super::desk::Desk;
 use super::keys::{Action, binding, caption};
 use super::study::Study;
 use crate::components::ShadingMode;
-pub use crate::report::words::{rounded, short};
+pub use crate::output::words::{rounded, short};
 
 /// The colour of numbers.
 pub const INK: Color32 = Color32::from_gray(220);

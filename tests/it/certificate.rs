@@ -8,11 +8,11 @@ mod overshoot;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
-use shadetrade::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
-use shadetrade::metrics::pixel_error;
+use shadetrade::questions::metrics::pixel_error;
+use shadetrade::shading::simd::{NAMES, name, named};
 use shadetrade::shading::{LIMIT_0, SquareKind};
-use shadetrade::simd::{NAMES, name, named};
 use shadetrade::systems;
+use shadetrade::systems::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
 
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;

@@ -8,9 +8,9 @@ mod same;
 
 use fearless_simd::Level;
 use rayon::prelude::*;
-use shadetrade::extremes::{Extreme, KnownFact, Outcome, SIZE, all_pass, named, table};
+use shadetrade::questions::extremes::{Extreme, KnownFact, Outcome, SIZE, all_pass, named, table};
 use shadetrade::scene::EXTREMES;
-use shadetrade::simd;
+use shadetrade::shading::simd;
 
 pub fn is_full() -> bool {
     std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full")

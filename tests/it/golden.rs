@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use image::RgbImage;
-use shadetrade::pictures::figures;
+use shadetrade::questions::figures::figures;
 
 /// A byte may differ by this much, because the libm of another machine may round differently.
 const MAX_LEVELS: u8 = 1;

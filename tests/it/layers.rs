@@ -1,15 +1,16 @@
-//! Checks the imports of every module against the drawing of layers in the crate documentation.
+//! Checks the imports of every module against the drawings of layers in the crate documentation: the rooms of the crate, and the
+//! modules of `questions`.
 
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules by layer from the top: the block of text under the heading in the crate documentation.
-fn layers() -> Vec<Vec<&'static str>> {
-    let (_, page) = include_str!("../../src/lib.rs")
+/// The modules by layer from the top: the block of text under the heading of a page of the crate documentation.
+fn layers(page: &'static str) -> Vec<Vec<&'static str>> {
+    let (_, section) = page
         .split_once("# Who may import whom")
-        .expect("the front page has it");
-    let block = page.split("```").nth(1).expect("a block of text");
+        .expect("the page has it");
+    let block = section.split("```").nth(1).expect("a block of text");
     let lines = block
         .lines()
         .skip(1)
@@ -34,17 +35,15 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The first names after `crate::` or, in the program, `shadetrade::`, including those in braces.
-fn imported(code: &str) -> Vec<&str> {
+/// The first names after one of the `roots`, such as `crate::`, including those in braces.
+fn imported<'a>(code: &'a str, roots: &[&str]) -> Vec<&'a str> {
     let words = |text| {
         str::split(text, |letter: char| {
             !letter.is_alphanumeric() && letter != '_'
         })
     };
-    let paths = ["crate::", "shadetrade::"].map(|root| code.split(root).skip(1));
+    let paths = roots.iter().flat_map(|root| code.split(root).skip(1));
     paths
-        .into_iter()
-        .flatten()
         .flat_map(|path| match path.strip_prefix('{') {
             Some(braces) => words(braces.split(';').next().unwrap_or_default()).collect(),
             None => words(path).take(1).collect::<Vec<_>>(),
@@ -52,18 +51,17 @@ fn imported(code: &str) -> Vec<&str> {
         .collect()
 }
 
-#[test]
-fn every_module_imports_from_lower_layers_only() {
-    let layers = layers();
+/// Checks all imports below `folder` against the drawing of `page`, and returns how many were seen.
+fn check_imports(folder: &Path, page: &'static str, roots: &[&str]) -> usize {
+    let layers = layers(page);
     let modules = (0..).zip(&layers);
     let layer_of: HashMap<&str, usize> = modules
         .flat_map(|(layer, modules)| modules.iter().map(move |module| (*module, layer)))
         .collect();
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut arrows = 0;
-    for path in sources(&source) {
+    for path in sources(folder) {
         let inside = path
-            .strip_prefix(&source)
+            .strip_prefix(folder)
             .expect("below it")
             .with_extension("");
         let module = inside.iter().next().expect("a name").to_string_lossy();
@@ -76,9 +74,9 @@ fn every_module_imports_from_lower_layers_only() {
         let text = fs::read_to_string(&path).expect("it can be read");
         let is_code = |line: &&str| !line.trim_start().starts_with("//");
         let code: Vec<&str> = text.lines().filter(is_code).collect();
-        let root = "super::".repeat(inside.iter().count());
-        let code = code.join("\n").replace(&root, "crate::");
-        for other in imported(&code) {
+        let parents = "super::".repeat(inside.iter().count());
+        let code = code.join("\n").replace(&parents, roots[0]);
+        for other in imported(&code, roots) {
             let Some(below) = layer_of.get(other).filter(|_| other != module) else {
                 continue;
             };
@@ -86,5 +84,21 @@ fn every_module_imports_from_lower_layers_only() {
             arrows += 1;
         }
     }
+    arrows
+}
+
+#[test]
+fn every_room_imports_from_lower_lines_only() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let page = include_str!("../../src/lib.rs");
+    let arrows = check_imports(&source, page, &["crate::", "shadetrade::"]);
     assert!(arrows > 100, "{arrows} imports were seen");
+}
+
+#[test]
+fn a_question_imports_from_questions_of_lower_lines_only() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/questions");
+    let page = include_str!("../../src/questions.rs");
+    let arrows = check_imports(&source, page, &["crate::questions::"]);
+    assert!(arrows > 20, "{arrows} imports were seen");
 }

@@ -7,13 +7,14 @@ use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use shadetrade::components::{LightKind, Mesh, Segments, ShadingMode, Transform, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::metrics::pixel_error;
-use shadetrade::probe::{self, Probe, ProbedSurface};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::metrics::pixel_error;
+use shadetrade::questions::probe::{self, Probe, ProbedSurface};
 use shadetrade::reference;
-use shadetrade::report::{Monitor, finished};
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use crate::cli::keys;
 use crate::extremes::enlarged;

@@ -13,9 +13,10 @@ mod segments;
 use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::View;
-use shadetrade::prove::{Proof, prove};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Rule, Seen};
-use shadetrade::report::{Monitor, finished};
 
 /// The proof of the renderer's picture.
 pub fn proof(world: &mut World, view: &View) -> Proof {

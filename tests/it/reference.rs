@@ -8,8 +8,9 @@ use hecs::World;
 use shadetrade::components::{
     LightKind, Material, NormalMode, Projection, Segments, ShadingMode, TriangleId, View, overwrite,
 };
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
 use shadetrade::reference::{Sample, in_row, picture};
-use shadetrade::report::{Monitor, finished};
 
 use crate::support::scene::{self, at, empty, shine, spawn_cuboid, truth, view};
 

@@ -12,8 +12,9 @@ use hecs::World;
 use shadetrade::components::{
     Background, FileOrder, LightKind, Material, Name, Orbit, Projection, Transform, View, Viewer,
 };
-use shadetrade::report::{Monitor, finished};
-use shadetrade::requires::{Change, Part, changes, parts};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::requires::{Change, Part, changes, parts};
 use shadetrade::scene::{Scene, SceneRecord};
 
 use crate::support::scene::{empty, shine, spawn_cuboid, view};

@@ -18,7 +18,7 @@ use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{LightKind, Material, Projection, View};
-use shadetrade::frame::Keep;
+use shadetrade::systems::frame::Keep;
 
 use crate::support::scene::{MODES, at, draw, empty, spawn_cuboid, spawn_light, truth, view};
 

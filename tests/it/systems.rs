@@ -19,7 +19,7 @@ use hecs::{Entity, World};
 use shadetrade::components::{
     Light, LightKind, Material, Projection, Transform, View, WorldTransform,
 };
-use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use crate::support::scene::{at, turned, view};
 

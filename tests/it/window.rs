@@ -27,8 +27,8 @@ use egui::{
 use egui_kittest::Harness;
 use fearless_simd::Level;
 use shadetrade::components::View;
-use shadetrade::frame::Keep;
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::comparison::Comparison;
 use shadetrade::window::desk::{Command, Desk};

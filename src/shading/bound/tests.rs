@@ -8,7 +8,7 @@ use super::*;
 use crate::shading::field::{Extents, MAX_RADIUS};
 use crate::shading::gloss::tests::gloss;
 use crate::shading::interpolation::NODE;
-use crate::simd::{Baseline, token};
+use crate::shading::simd::{Baseline, token};
 
 type Number = f64x4<Baseline>;
 

@@ -6,7 +6,7 @@ use super::*;
 use crate::shading::display::display_step;
 use crate::shading::rows::Rows;
 use crate::shading::running::Rounded;
-use crate::simd::{Baseline, token};
+use crate::shading::simd::{Baseline, token};
 
 /// The term that each pixel makes of the fourth channel, and its factors.
 type Fourth = Option<(SquareKind, [f64; 3])>;

@@ -8,13 +8,13 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
 
 use crate::components::TriangleId;
-use crate::frame::{Band, SQUARE_EDGE};
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
+use crate::shading::simd::three;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
 use crate::shading::{Counts, SquareKind};
-use crate::simd::three;
+use crate::systems::frame::{Band, SQUARE_EDGE};
 
 /// The pixels of a band that a piece covers.
 pub struct Canvas<'a, 'b> {

@@ -8,12 +8,12 @@ use crate::components::{
     FACES, FileOrder, Material, Mesh, Normals, Polygon, Projected, Projection, ShadingMode,
     TriangleId, VertexColors, View, WorldTransform,
 };
-use crate::frame::{DrawList, Object, Piece};
 use crate::shading::Surface;
 use crate::shading::face::Plane;
 use crate::shading::gloss::Gloss;
-use crate::simd::outlined;
+use crate::shading::simd::outlined;
 use crate::systems::coverage::{SMALL, covered, is_convex, scan};
+use crate::systems::frame::{DrawList, Object, Piece};
 
 impl DrawList {
     /// Lists the cuboids that have visible faces, and these faces.

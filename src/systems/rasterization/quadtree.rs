@@ -8,15 +8,15 @@ use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
-use crate::frame::{Band, DrawList, Piece};
 use crate::shading::face::Face;
 use crate::shading::field::Extents;
 use crate::shading::gouraud::{Gouraud, GridSquares, Source};
 use crate::shading::phong::{FaceLight, Phong};
+use crate::shading::simd::{dispatch, four, outlined};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
 use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{Scratch, Shader, SquareKind, Surface};
-use crate::simd::{dispatch, four, outlined};
+use crate::systems::frame::{Band, DrawList, Piece};
 
 /// The least number of pixels of four squares for which bounds are computed. Bounds cost as much as the evaluation of about 500
 /// pixels, and may fail. Without this limit the default scene at 120x90 takes 30 % more time, a scene of 18 lights and 7 cuboids

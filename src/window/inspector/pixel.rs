@@ -7,11 +7,11 @@ use hecs::World;
 
 use crate::components::range::Shininess;
 use crate::components::{Material, Name, ShadingMode, viewer, viewer_mut};
-use crate::frame::display_pixel;
-use crate::metrics::displayed;
-use crate::paint::color;
-use crate::probe::{Probe, ProbedSurface};
-use crate::report::words::CHANNELS;
+use crate::output::paint::color;
+use crate::output::words::CHANNELS;
+use crate::questions::metrics::displayed;
+use crate::questions::probe::{Probe, ProbedSurface};
+use crate::systems::frame::display_pixel;
 use crate::window::canvas::Canvas;
 use crate::window::study::Study;
 use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still, wait};

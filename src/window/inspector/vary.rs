@@ -8,15 +8,15 @@ use egui_plot::{
 
 use super::scene::ANY;
 use crate::components::{ShadingMode, Side, viewer};
-use crate::report::chart::ticks;
-use crate::report::words::capital;
+use crate::output::chart::ticks;
+use crate::output::words::capital;
+use crate::questions::trade::verdict::method_name;
+use crate::questions::vary::curve::Curve;
+use crate::questions::vary::export::number as in_words;
+use crate::questions::vary::refined::Refined;
+use crate::questions::vary::variable::Variable;
 use crate::scene::SceneRecord;
 use crate::shading::Method;
-use crate::trade::verdict::method_name;
-use crate::vary::curve::Curve;
-use crate::vary::export::number as in_words;
-use crate::vary::refined::Refined;
-use crate::vary::variable::Variable;
 use crate::window::canvas::Canvas;
 use crate::window::controls::choose_method;
 use crate::window::desk::Desk;

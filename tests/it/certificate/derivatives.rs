@@ -18,7 +18,7 @@ use shadetrade::shading::bound::{
 };
 use shadetrade::shading::field::{Extents, Field, MAX_RADIUS};
 use shadetrade::shading::gloss::Gloss;
-use shadetrade::simd::{Baseline, baseline};
+use shadetrade::shading::simd::{Baseline, baseline};
 
 use crate::support::cases::cases;
 use crate::support::random::Random;

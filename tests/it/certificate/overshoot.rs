@@ -11,7 +11,7 @@ use shadetrade::shading::field::Extents;
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::{Gouraud, Source};
 use shadetrade::shading::phong::Phong;
-use shadetrade::simd::baseline;
+use shadetrade::shading::simd::baseline;
 
 use crate::support::scene::white;
 

@@ -164,9 +164,9 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
 #[test]
 fn a_simd_level_is_either_used_or_refused() {
     let folder = folder();
-    for level in shadetrade::simd::NAMES {
+    for level in shadetrade::shading::simd::NAMES {
         let line = format!("render -o a.png --size 9x9 --simd {level}");
-        if shadetrade::simd::named(level).is_some() {
+        if shadetrade::shading::simd::named(level).is_some() {
             assert!(assert_works(folder.path(), &line).contains(level));
         } else {
             let words = format!("{level}|this machine|fallback");

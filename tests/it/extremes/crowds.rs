@@ -4,12 +4,13 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::prove::{nearest, prove_at};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
-use shadetrade::report::{Monitor, finished};
 use shadetrade::shading::SquareKind;
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::is_full;
 use crate::support::scene::{at, draw, empty, placed, shine, spawn_cuboid, view};

@@ -5,7 +5,7 @@ use hecs::World;
 use shadetrade::components::{
     Material, Mesh, Projection, ShadingMode, Transform, TriangleId, View,
 };
-use shadetrade::frame::Keep;
+use shadetrade::systems::frame::Keep;
 
 use crate::stability::life::{Bits, still_life, views};
 use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, turned, view};

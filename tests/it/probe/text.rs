@@ -3,10 +3,10 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{LightKind, NormalMode, Projection, Segments, ShadingMode, View};
-use shadetrade::frame::display_step;
-use shadetrade::probe::{self, Probe, ProbedSurface};
+use shadetrade::questions::probe::{self, Probe, ProbedSurface};
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::shading::SquareKind::{InF64, Linear, PerPixel, Quadratic};
+use shadetrade::systems::frame::display_step;
 
 use super::surface_of;
 

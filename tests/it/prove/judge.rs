@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use shadetrade::components::TriangleId;
-use shadetrade::prove::Verdict::{Gap, Proven, Refuted, Undecided};
-use shadetrade::prove::{Mark, Shown, Verdict, judge};
+use shadetrade::questions::prove::Verdict::{Gap, Proven, Refuted, Undecided};
+use shadetrade::questions::prove::{Mark, Shown, Verdict, judge};
 use shadetrade::reference::{Interval, Real, Seen};
 
 fn interval([least, largest]: [f64; 2]) -> Interval {

@@ -5,7 +5,7 @@ use std::f64::consts::SQRT_2;
 use glam::{DMat3, DVec3};
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
-use shadetrade::prove::{Shown, Verdict, judge};
+use shadetrade::questions::prove::{Shown, Verdict, judge};
 
 use super::{enclosures, proof};
 use crate::requires::WHITE;

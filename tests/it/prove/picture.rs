@@ -3,12 +3,13 @@
 use fearless_simd::Level;
 use png::{BitDepth, ColorType, Info};
 use shadetrade::components::{Projection, ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::prove::{PngPicture, Proof, Verdict, prove, read_png};
-use shadetrade::report::progress::bands;
-use shadetrade::report::{Monitor, finished};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::output::progress::bands;
+use shadetrade::questions::prove::{PngPicture, Proof, Verdict, prove, read_png};
 use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::systems::draw_rows;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use crate::support::indexed::{indexed, with_info};
 use crate::support::scene::draw;

@@ -6,8 +6,8 @@ use glam::DVec3;
 use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{Mesh, ShadingMode, Transform, View, length};
-use shadetrade::frame::Keep;
-use shadetrade::metrics::{Picture, compare};
+use shadetrade::questions::metrics::{Picture, compare};
+use shadetrade::systems::frame::Keep;
 
 use super::proof;
 use crate::support::cases::{cases, values};

@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
-use shadetrade::frame::Keep;
-use shadetrade::metrics::pixel_error;
+use shadetrade::questions::metrics::pixel_error;
+use shadetrade::systems::frame::Keep;
 
 use super::proof;
 use crate::support::cases::cases;

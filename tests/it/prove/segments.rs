@@ -2,7 +2,7 @@
 //! number of cells.
 
 use shadetrade::components::{Segments, ShadingMode, View};
-use shadetrade::prove::nearest;
+use shadetrade::questions::prove::nearest;
 use shadetrade::reference::{Reference, Rule, Seen};
 
 use super::arithmetic::compare;

@@ -1,7 +1,7 @@
 //! Drawings, and assertions of how many polygons cover each pixel.
 
 use shadetrade::components::Polygon;
-use shadetrade::simd::baseline;
+use shadetrade::shading::simd::baseline;
 use shadetrade::systems::coverage::{SMALL, covered, is_convex, scan};
 
 /// A polygon whose vertices are given in 1/256 pixel, counter-clockwise as seen.

@@ -6,10 +6,11 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Mesh, Projected, Projection, Segments, ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::prove::prove;
-use shadetrade::report::{Monitor, finished};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::prove::prove;
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::counting::count;
 use crate::stability::life::Bits;

@@ -6,9 +6,11 @@ use glam::DVec3;
 use shadetrade::components::{
     LightKind, Mesh, Projection, Segments, ShadingMode, TRIANGLES, View, overwrite,
 };
+use shadetrade::output::CANCELLED;
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::requires::bits::{FORMATS, Format, StageBits, bits};
 use shadetrade::reference::in_row;
-use shadetrade::report::{CANCELLED, Monitor, finished};
-use shadetrade::requires::bits::{FORMATS, Format, StageBits, bits};
 use shadetrade::scene::Scene;
 
 use super::{WHITE, cubes, from_z};

@@ -5,8 +5,8 @@ use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::Projection::{Orthographic, Perspective};
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
 use shadetrade::components::{Material, NormalMode, Projection, ShadingMode, Transform, overwrite};
+use shadetrade::questions::requires::{Change, Part};
 use shadetrade::reference::Rule;
-use shadetrade::requires::{Change, Part};
 use shadetrade::scene::Scene;
 
 use super::{WHITE, change, cubes, from_z, required, scene_of};
@@ -161,7 +161,7 @@ fn without_normalisation_normals_are_shorter_by_sqrt_3_in_the_middle_of_a_face()
     }
     let scene = shaded(Gouraud, scene);
     assert_error(change(&scene, &view, Part::Rule(Rule::UnitNormal)), 0.0);
-    let mut parts = shadetrade::requires::parts(&scene).into_iter();
+    let mut parts = shadetrade::questions::requires::parts(&scene).into_iter();
     assert!(!parts.any(|(part, _)| part == Part::EveryPixel(0)));
 }
 
@@ -202,7 +202,7 @@ fn a_scene_that_requires_every_part() {
     for material in scene.world.query_mut::<&mut Material>() {
         material.shininess = 2.0;
     }
-    let parts = shadetrade::requires::parts(&scene);
+    let parts = shadetrade::questions::requires::parts(&scene);
     let all: Vec<String> = parts.into_iter().map(|(_, name)| name).collect();
     assert_eq!(required(&scene, &view), all);
 }
@@ -244,6 +244,6 @@ fn with_face_normals_a_face_towards_the_light_is_brighter_by_sqrt_3_than_under_c
     // A cuboid that has face normals does not need others.
     let mut sharp = cubes(&[origin()], &[], &view);
     overwrite(&mut sharp.world, &NormalMode::Face);
-    let mut parts = shadetrade::requires::parts(&sharp).into_iter();
+    let mut parts = shadetrade::questions::requires::parts(&sharp).into_iter();
     assert!(!parts.any(|(part, _)| matches!(part, Part::CornerNormals(_))));
 }

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection};
-use shadetrade::report::{Monitor, finished};
-use shadetrade::requires::{Part, changes, least, without};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::requires::{Part, changes, least, without};
 use shadetrade::scene::{LightRecord, SceneRecord};
 
 use super::{cubes, from_z};

@@ -5,9 +5,9 @@
 use hecs::World;
 use proptest::prelude::*;
 use shadetrade::components::{ShadingMode, View};
-use shadetrade::metrics::pixel_error;
+use shadetrade::questions::metrics::pixel_error;
+use shadetrade::questions::requires::{Part, parts, without};
 use shadetrade::reference::{Interval, Real, Reference, Rule, Seen};
-use shadetrade::requires::{Part, parts, without};
 
 use super::{change, scene_of};
 use crate::support::cases::{cases, values};

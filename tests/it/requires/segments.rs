@@ -7,11 +7,13 @@ use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::{
     Mesh, NormalMode, Projection, Segments, ShadingMode, Transform, View, overwrite,
 };
-use shadetrade::metrics::pixel_error;
+use shadetrade::output::CANCELLED;
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::metrics::pixel_error;
+use shadetrade::questions::requires::Part;
+use shadetrade::questions::requires::segments::{FewestSegments, fewest_segments};
 use shadetrade::reference::Reference;
-use shadetrade::report::{CANCELLED, Monitor, finished};
-use shadetrade::requires::Part;
-use shadetrade::requires::segments::{FewestSegments, fewest_segments};
 use shadetrade::scene::Scene;
 
 use super::{change, cubes, from_z};

@@ -1,9 +1,10 @@
 //! The sixteen cases of docs/sixteen-cases.md: its scene, its values and its answers.
 
 use shadetrade::components::View;
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
+use shadetrade::questions::requires::{Part, changes};
 use shadetrade::reference::Rule;
-use shadetrade::report::{Monitor, finished};
-use shadetrade::requires::{Part, changes};
 use shadetrade::scene::Scene;
 
 use crate::extremes::is_full;

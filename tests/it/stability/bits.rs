@@ -4,8 +4,9 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{Projection, Segments, ShadingMode, View};
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::{simd, systems};
+use shadetrade::shading::simd;
+use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::life::{Bits, still_life, views};
 use crate::support::scene::{draw, placed, spawn_cuboid, view, white};

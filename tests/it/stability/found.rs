@@ -4,7 +4,7 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::{Material, Polygon, Projected, Projection, ShadingMode, View};
-use shadetrade::frame::Keep;
+use shadetrade::systems::frame::Keep;
 
 use crate::support::scene::{
     at, draw, empty, placed, shine, spawn_cuboid, spawn_light, view, white,

@@ -6,7 +6,7 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::{Material, Projection, Segments, ShadingMode, TriangleId, View};
-use shadetrade::frame::Frame;
+use shadetrade::systems::frame::Frame;
 
 use crate::support::scene::{MODES, empty, placed, spawn_cuboid, spawn_light, view};
 

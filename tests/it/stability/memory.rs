@@ -3,9 +3,9 @@
 
 use allocation_counter::measure;
 use fearless_simd::Level;
-use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::output::Output;
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::life::{still_life, views};
 

@@ -7,8 +7,8 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{FileOrder, Mesh, Transform, TriangleId, View};
-use shadetrade::frame::{Frame, Keep, Workers};
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::life::Bits;
 use crate::support::cases::{cases, values};

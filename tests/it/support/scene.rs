@@ -7,11 +7,12 @@ use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, NormalMode, Normals, Projected,
     Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
 };
-use shadetrade::frame::{Frame, Keep, Workers};
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
 use shadetrade::reference::{Truth, picture};
-use shadetrade::report::{Monitor, finished};
 use shadetrade::scene::Scene;
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 pub const MODES: [ShadingMode; 3] = [
     ShadingMode::Gouraud,

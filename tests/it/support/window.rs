@@ -5,7 +5,7 @@ use egui::{Pos2, UiBuilder};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use shadetrade::drawing::Drawing;
+use shadetrade::questions::job::Drawing;
 use shadetrade::scene::Scene;
 use shadetrade::window::{app::App, study::Background, widgets};
 

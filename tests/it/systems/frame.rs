@@ -7,8 +7,8 @@ use shadetrade::components::{
     Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite,
     viewer_mut,
 };
-use shadetrade::frame::Keep;
 use shadetrade::scene::Scene;
+use shadetrade::systems::frame::Keep;
 use shadetrade::systems::lighting;
 
 use super::{MATERIAL, ahead, at, empty_frame, light};

@@ -6,7 +6,7 @@ use shadetrade::components::{
     Illumination, Light, LightKind, Normals, PointLight, Projection, ShadingMode, VertexColors,
     View,
 };
-use shadetrade::frame::Frame;
+use shadetrade::systems::frame::Frame;
 use shadetrade::systems::{lighting, projection};
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, light, place, read, signs};

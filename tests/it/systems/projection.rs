@@ -3,7 +3,7 @@
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
 use shadetrade::components::{Lens, Mesh, Projected, Projection, View};
-use shadetrade::frame::Keep;
+use shadetrade::systems::frame::Keep;
 use shadetrade::systems::projection;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};

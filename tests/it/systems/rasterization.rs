@@ -6,8 +6,8 @@ use shadetrade::components::{
     FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, TriangleId,
     VertexColors, View, ordered,
 };
-use shadetrade::frame::{Frame, Keep, SQUARE_EDGE};
 use shadetrade::shading::SquareKind;
+use shadetrade::systems::frame::{Frame, Keep, SQUARE_EDGE};
 use shadetrade::systems::rasterization;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, light, turned};

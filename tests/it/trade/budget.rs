@@ -2,12 +2,12 @@
 
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::drawing::Drawing;
-use shadetrade::report::Monitor;
+use shadetrade::output::Monitor;
+use shadetrade::questions::job::Drawing;
+use shadetrade::questions::trade::Request;
+use shadetrade::questions::trade::budget::{after, best_trades, choose, fitting, held};
 use shadetrade::scene::Scene;
 use shadetrade::shading::Method;
-use shadetrade::trade::Request;
-use shadetrade::trade::budget::{after, best_trades, choose, fitting, held};
 
 use super::example::live;
 

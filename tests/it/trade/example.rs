@@ -2,12 +2,12 @@
 
 use shadetrade::components::Projection;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::frame::Counts;
-use shadetrade::metrics::ErrorStatistics;
+use shadetrade::questions::metrics::ErrorStatistics;
+use shadetrade::questions::trade::machine::Machine;
+use shadetrade::questions::trade::timing::Timing;
+use shadetrade::questions::trade::{Measurement, Report};
 use shadetrade::shading::Method;
-use shadetrade::trade::machine::Machine;
-use shadetrade::trade::timing::Timing;
-use shadetrade::trade::{Measurement, Report};
+use shadetrade::systems::frame::Counts;
 
 /// A timing with an interval of half a percent of its median on both sides.
 pub fn timing(median: f64) -> Timing {

@@ -1,10 +1,10 @@
 //! The texts and pictures of an invented measurement show its figures.
 
 use serde::Deserialize;
-use shadetrade::metrics::ErrorStatistics;
-use shadetrade::trade::error_map::with_legend;
-use shadetrade::trade::export::{markdown, table};
-use shadetrade::trade::{Report, plot, write_files};
+use shadetrade::questions::metrics::ErrorStatistics;
+use shadetrade::questions::trade::error_map::with_legend;
+use shadetrade::questions::trade::export::{markdown, table};
+use shadetrade::questions::trade::{Report, plot, write_files};
 
 use super::example::{empty_report, report, timing};
 

@@ -9,19 +9,22 @@ use shadetrade::cli::options::BudgetOption;
 use shadetrade::components::{
     Background, Light, LightKind, ShadingMode, Viewer, overwrite, viewer_mut,
 };
-use shadetrade::drawing::Drawing;
-use shadetrade::frame::{Frame, Keep, Workers};
-use shadetrade::metrics::ErrorStatistics;
+use shadetrade::output::CANCELLED;
+use shadetrade::output::Monitor;
+use shadetrade::output::finished;
 use shadetrade::output::json;
-use shadetrade::report::{CANCELLED, Monitor, finished};
-use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::shading::{METHODS, Method};
-use shadetrade::trade::timing::{MIN_SAMPLES, Timing};
-use shadetrade::trade::verdict::verdict;
-use shadetrade::trade::{
+use shadetrade::questions::job::Drawing;
+use shadetrade::questions::metrics::ErrorStatistics;
+use shadetrade::questions::trade::timing::{MIN_SAMPLES, Timing};
+use shadetrade::questions::trade::verdict::verdict;
+use shadetrade::questions::trade::{
     self, Measurement, Report, Request, accuracy, batch, export, measure, plot,
 };
-use shadetrade::{reference, systems};
+use shadetrade::reference;
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::shading::{METHODS, Method};
+use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::contract;
 

@@ -1,7 +1,7 @@
 //! Metrics: every figure against a value computed by hand or by another program.
 
 use shadetrade::components::TriangleId;
-use shadetrade::metrics::{
+use shadetrade::questions::metrics::{
     Difference, ErrorStatistics, Picture, Pixel, compare, compared, difference, pixel_error,
 };
 

@@ -1,11 +1,11 @@
 //! Statistics of times and the front, against results computed by hand.
 
 use shadetrade::components::ShadingMode;
+use shadetrade::questions::trade::Measurement;
+use shadetrade::questions::trade::accuracy::share_kept;
+use shadetrade::questions::trade::mark_front;
+use shadetrade::questions::trade::timing::{Timing, median};
 use shadetrade::shading::Method;
-use shadetrade::trade::Measurement;
-use shadetrade::trade::accuracy::share_kept;
-use shadetrade::trade::mark_front;
-use shadetrade::trade::timing::{Timing, median};
 
 use super::example;
 

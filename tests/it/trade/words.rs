@@ -3,10 +3,10 @@
 use serde::Deserialize;
 use serde_json::Value;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::report::words::pace;
+use shadetrade::output::words::pace;
+use shadetrade::questions::trade::Measurement;
+use shadetrade::questions::trade::verdict::{sentence, verdict};
 use shadetrade::shading::Method;
-use shadetrade::trade::Measurement;
-use shadetrade::trade::verdict::{sentence, verdict};
 
 use super::example;
 use crate::support::random::Random;

@@ -2,8 +2,8 @@
 
 use egui::{Key, Modifiers, Pos2, vec2};
 use shadetrade::components::{Light, LightKind, ShadingMode, Transform};
-use shadetrade::frame::display_step;
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::systems::frame::display_step;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::lights::{Disc, drag_light, lights};

@@ -13,10 +13,10 @@ use shadetrade::components::ShadingMode::{Gouraud, Phong};
 use shadetrade::components::{
     Light, ShadingMode, View, ViewMode, common_mode, ordered, viewer_mut,
 };
-use shadetrade::frame::Workers;
+use shadetrade::questions::trade::verdict::method_name;
 use shadetrade::scene::SceneRecord;
 use shadetrade::shading::Method;
-use shadetrade::trade::verdict::method_name;
+use shadetrade::systems::frame::Workers;
 use shadetrade::window::canvas::{Canvas, REST};
 use shadetrade::window::chart::chart;
 use shadetrade::window::choice::Choice;

@@ -5,9 +5,9 @@ use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{LightKind, View, ViewMode};
-use shadetrade::drawing::unseen::shows_all;
-use shadetrade::frame::Keep;
+use shadetrade::scene::unseen::shows_all;
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::systems::frame::Keep;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::QUARTERS;
 

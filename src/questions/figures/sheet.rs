@@ -1,0 +1,146 @@
+//! A sheet of labelled pictures: cells of equal size in rows under a title.
+//!
+//! ```text
+//! title
+//! +---------+   +---------+
+//! | picture | + | picture |     the joiner of a cell is drawn in the gap after it
+//! +---------+   +---------+
+//! heading remark  heading remark
+//! ```
+
+use egui::{Align2, FontId, Pos2, Rect, StrokeKind, pos2, vec2};
+
+use crate::output::paint::{annotate, color};
+
+const PAPER: u32 = 0x0024_2429;
+const FRAME: u32 = 0x003c_3c44;
+const BRIGHT: u32 = 0x00f0_f0f2;
+const DIM: u32 = 0x00a0_a0aa;
+
+/// The empty border of a sheet, in pixels.
+const MARGIN: usize = 40;
+/// Between two cells.
+const GAP: usize = 32;
+/// From a picture to its label, and from the title to the pictures.
+const LABEL_GAP: usize = 10;
+const TITLE_GAP: usize = 24;
+/// Between the heading and the remark of a label.
+const WORD_GAP: f32 = 12.0;
+
+/// The heights of lines in pixels, and their fonts.
+const TITLE_HEIGHT: usize = 32;
+const LABEL_HEIGHT: usize = 24;
+const TITLE: FontId = FontId::proportional(28.0);
+const LABEL: FontId = FontId::proportional(19.0);
+
+/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour;
+/// and a sign between this cell and the next, which may be empty.
+pub type Cell<'a> = (Vec<u32>, [&'a str; 3]);
+
+/// A picture at half its size. A pixel is the mean of four; an odd last row or column is dropped.
+pub fn half(pixels: &[u32], size: [usize; 2]) -> Vec<u32> {
+    let [width, height] = size.map(|side| side / 2);
+    let means = (0..width * height).map(|index| {
+        let [x, y] = [index % width * 2, index / width * 2];
+        let four = [[0, 0], [1, 0], [0, 1], [1, 1]];
+        let four = four.map(|[i, j]| pixels[(y + j) * size[0] + x + i]);
+        let mean = |shift: u32| {
+            let sum: u32 = four.iter().map(|color| color >> shift & 0xff).sum();
+            ((sum + 2) / 4) << shift
+        };
+        mean(16) | mean(8) | mean(0)
+    });
+    means.collect()
+}
+
+/// Cells whose pictures have this width and height, in rows of `columns` under a `title`. Returns pixels, width and height.
+pub fn sheet(
+    title: &str,
+    columns: usize,
+    cells: &[Cell],
+    [cell_width, cell_height]: [usize; 2],
+) -> (Vec<u32>, [usize; 2]) {
+    let top = MARGIN + TITLE_HEIGHT + TITLE_GAP;
+    let row_height = cell_height + LABEL_GAP + LABEL_HEIGHT;
+    let rows = cells.len().div_ceil(columns);
+    let width = 2 * MARGIN + columns * cell_width + (columns - 1) * GAP;
+    let height = top + rows * row_height + rows.saturating_sub(1) * GAP + MARGIN;
+    let place = |index: usize| {
+        let x = MARGIN + index % columns * (cell_width + GAP);
+        [x, top + index / columns * (row_height + GAP)]
+    };
+
+    let size = [width, height];
+    let mut pixels = vec![PAPER; width * height];
+    for (index, (picture, _)) in cells.iter().enumerate() {
+        let [x, y] = place(index);
+        for (row, line) in (y..).zip(picture.chunks_exact(cell_width)) {
+            pixels[row * width + x..][..cell_width].copy_from_slice(line);
+        }
+    }
+    annotate(&mut pixels, size, |painter| {
+        let write = |at: Pos2, align: Align2, font: FontId, ink: u32, text: &str| {
+            painter.text(at, align, text, font, color(ink)).right()
+        };
+        let [left, center] = [Align2::LEFT_TOP, Align2::CENTER_CENTER];
+        let margin = MARGIN as f32;
+        write(pos2(margin, margin), left, TITLE, BRIGHT, title);
+        for (index, (_, [heading, remark, joiner])) in cells.iter().enumerate() {
+            let [x, y] = place(index).map(|at| at as f32);
+            let size = vec2(cell_width as f32, cell_height as f32);
+            let picture = Rect::from_min_size(pos2(x, y), size);
+            let frame = (1.0, color(FRAME));
+            painter.rect_stroke(picture, 0.0, frame, StrokeKind::Outside);
+            let label = picture.bottom() + LABEL_GAP as f32;
+            let end = write(pos2(x, label), left, LABEL, BRIGHT, heading);
+            write(pos2(end + WORD_GAP, label), left, LABEL, DIM, remark);
+            let beside = picture.right_center() + vec2(GAP as f32 / 2.0, 0.0);
+            write(beside, center, TITLE, BRIGHT, joiner);
+        }
+    });
+    (pixels, size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_at_half_size_is_the_mean_of_four() {
+        let pixels = [0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000];
+        // 0, 0, 0 and 4 have the mean 1; two of four at 255 have the mean 127.5, which rounds up.
+        assert_eq!(half(&pixels, [4, 2]), [0x0000_0001, 0x0080_0000]);
+    }
+
+    #[test]
+    fn a_sheet_shows_every_picture_completely_and_leaves_its_margin_empty() {
+        let colors = [
+            0x0010_0000,
+            0x0020_0000,
+            0x0030_0000,
+            0x0040_0000,
+            0x0050_0000,
+        ];
+        let cells = colors.map(|color| {
+            let joiner = if color == 0x0030_0000 { "" } else { "+" };
+            (vec![color; 60 * 40], ["A", "b", joiner])
+        });
+        let (pixels, [width, height]) = sheet("Title", 3, &cells, [60, 40]);
+        for color in colors {
+            assert_eq!(
+                pixels.iter().filter(|&&pixel| pixel == color).count(),
+                60 * 40
+            );
+        }
+        assert_eq!(pixels.len(), width * height);
+        let title = &pixels[..(MARGIN + TITLE_HEIGHT) * width];
+        assert!(title.iter().any(|&pixel| pixel != PAPER));
+        assert!(!title.iter().any(|pixel| colors.contains(pixel)));
+        for (index, &pixel) in pixels.iter().enumerate() {
+            let [x, y] = [index % width, index / width];
+            let inside = (MARGIN - 1..=width - MARGIN).contains(&x)
+                && (MARGIN - 1..=height - MARGIN).contains(&y);
+            assert!(inside || pixel == PAPER, "ink in the margin at ({x}, {y})");
+        }
+    }
+}

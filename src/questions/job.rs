@@ -1,0 +1,104 @@
+//! The checked input of every command that draws: a scene, the size of the picture, threads and SIMD level.
+
+use std::num::NonZero;
+use std::thread::available_parallelism;
+
+use anyhow::Context;
+use fearless_simd::Level;
+use hecs::World;
+
+use crate::components::{
+    Name, NormalMode, Segments, ShadingMode, View, active_camera, common, common_mode, get,
+};
+use crate::output::{one_line, say};
+use crate::scene::Scene;
+use crate::scene::unseen;
+use crate::systems::frame::Workers;
+
+/// The largest number of threads: more than the cores of common machines, fewer than the limit of a process.
+pub const MAX_THREADS: usize = 1024;
+
+/// A scene and the settings that are not part of it. All of it is valid.
+pub struct Drawing {
+    /// The scene; options of the command line have overwritten its components.
+    pub scene: Scene,
+    /// Width and height in pixels, each 1..=16384.
+    pub size: [usize; 2],
+    /// At least 1.
+    pub threads: usize,
+    /// A SIMD level of this machine.
+    pub level: Level,
+}
+
+impl Drawing {
+    /// The view of a frame.
+    pub fn view(&self) -> View {
+        View::of(&self.scene.world, self.size)
+    }
+
+    /// The shading mode of all cuboids, or `scene` if they differ.
+    pub fn mode(&self) -> &'static str {
+        common_mode(&self.scene.world).map_or("scene", ShadingMode::name)
+    }
+
+    /// The normals in words; nothing if all are corner normals.
+    pub fn normals(&self) -> &'static str {
+        match common(&self.scene.world) {
+            Some(NormalMode::Corner) => "",
+            Some(NormalMode::Face) => ", face normals",
+            None => ", corner and face normals",
+        }
+    }
+
+    /// The number of segments in words; nothing if it is 1 everywhere.
+    pub fn segments(&self) -> String {
+        match common::<Segments>(&self.scene.world).map(Segments::count) {
+            Some(1) => String::new(),
+            Some(count) => format!(", {count} segments"),
+            None => ", different segments".to_owned(),
+        }
+    }
+
+    /// The picture in words: scene, camera, projection, size, shading and tolerance.
+    pub fn subject(&self) -> String {
+        let view = self.view();
+        let [width, height] = view.size;
+        format!(
+            "{}, camera {}, {}, {width}x{height}, {}{}{}, tolerance {}",
+            one_line(&self.scene.name),
+            camera_name(&self.scene.world),
+            view.projection.name(),
+            self.mode(),
+            self.normals(),
+            self.segments(),
+            view.tolerance
+        )
+    }
+
+    /// Says on standard error why nothing is seen, if no pixel shows a cuboid.
+    pub fn say_if_unseen(&self, covered_pixels: u64) {
+        if covered_pixels == 0 {
+            say(&unseen::reason(&self.scene.world, &self.view()));
+        }
+    }
+
+    /// The threads and the SIMD level.
+    ///
+    /// # Errors
+    /// If the threads cannot be started.
+    pub fn workers(&self) -> anyhow::Result<Workers> {
+        Workers::new(self.threads, self.level).context("cannot start the threads that draw")
+    }
+}
+
+/// The name of the active camera.
+pub fn camera_name(world: &World) -> String {
+    get(world, active_camera(world)).map_or_else(String::new, |Name(name)| name)
+}
+
+/// The number of threads that the machine runs in parallel, at most [`MAX_THREADS`].
+pub fn all_cores() -> usize {
+    available_parallelism()
+        .map_or(1, NonZero::get)
+        .min(MAX_THREADS)
+}

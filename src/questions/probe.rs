@@ -1,0 +1,199 @@
+//! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, the cause of
+//! their difference, and the cost.
+//!
+//! The levels under Gouraud and Phong come from the renderer at the view's tolerance. Vectors and terms come from the
+//! reference in f64.
+
+mod cause;
+mod json;
+mod page;
+
+use fearless_simd::Level;
+use glam::DVec3;
+
+use crate::components::{
+    FileOrder, Light, Material, Mesh, Name, NormalMode, Projection, ShadingMode, Transform,
+    TriangleId, View, WorldTransform, in_file_order,
+};
+use crate::output::memory::OutOfMemory;
+use crate::reference::{self, LightSample, Sample};
+use crate::scene::Scene;
+use crate::shading::SquareKind;
+use crate::shading::square::MAX_SIDE;
+use crate::systems;
+use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers};
+
+/// The largest number of terms in a section.
+const MOST_TERMS: usize = 20_000;
+
+/// The evaluation of a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probe {
+    /// x right, y down, from the top left corner.
+    pub pixel: [usize; 2],
+    /// `None` for the background.
+    pub surface: Option<ProbedSurface>,
+}
+
+/// The evaluation of the surface at a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProbedSurface {
+    /// The name of the visible cuboid.
+    pub object: String,
+    /// The index of the visible triangle in [`crate::components::TRIANGLES`].
+    pub triangle: usize,
+    pub material: Material,
+    /// P and N of the vertices between which the sample interpolates, in world units. N is linear along the face.
+    pub vertices: [[DVec3; 2]; 3],
+    /// O in world units; `None` in orthographic projection.
+    pub eye: Option<DVec3>,
+    /// Every light that is on, in file order.
+    pub sources: Vec<Source>,
+    /// The evaluation in f64. Near a diagonal it may be of the other triangle of the face; `None` if the reference sees
+    /// another face, at an edge.
+    pub sample: Option<Sample>,
+    /// The renderer's levels under Gouraud, unclamped.
+    pub gouraud: DVec3,
+    /// The renderer's levels under Phong, unclamped.
+    pub phong: DVec3,
+    /// The levels of the picture, unclamped.
+    pub drawn: [f64; 3],
+    /// How the picture was drawn: its mode, its tolerance in levels, and the kind of the square around the pixel.
+    pub mode: ShadingMode,
+    pub tolerance: f64,
+    pub kind: SquareKind,
+}
+
+/// A light as the scene has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Source {
+    pub name: String,
+    pub light: Light,
+    /// In world units.
+    pub place: DVec3,
+}
+
+impl ProbedSurface {
+    /// Every light that is on, in file order; none if the reference sees another face.
+    pub fn lights(&self) -> &[LightSample] {
+        self.sample.as_ref().map_or(&[], |sample| &sample.lights)
+    }
+}
+
+/// The components from which vertices follow.
+type Shape<'a> = (&'a WorldTransform, &'a Mesh, &'a NormalMode);
+
+/// P and N of a sample's vertices in world units.
+fn vertices(sample: &Sample, (place, mesh, normals): Shape) -> [[DVec3; 2]; 3] {
+    let size = mesh.corners[7] - mesh.corners[0];
+    sample.vertices.map(|share| {
+        let normal = match normals {
+            // At a corner each share is 1/2, and N has length 1.
+            NormalMode::Corner => share * (2.0 / 3.0_f64.sqrt()),
+            NormalMode::Face => 2.0 * share * DVec3::AXES[sample.triangle / 4],
+        };
+        let point = place.position + place.axes * (share * size);
+        [point, place.axes * normal]
+    })
+}
+
+/// Evaluates a pixel, which must lie inside the picture for `view`.
+///
+/// # Errors
+/// If 32 rows of the picture do not fit in memory.
+pub fn at(
+    scene: &mut Scene,
+    view: &View,
+    pixel: [usize; 2],
+    level: Level,
+) -> Result<Probe, OutOfMemory> {
+    let mut probes = section(scene, view, pixel, level)?;
+    probes.retain(|probe| probe.pixel == pixel);
+    Ok(probes.remove(0))
+}
+
+/// Evaluates the pixels of row `y` on the face that is visible at (`x`, `y`), from left to right. Of a scene with very many
+/// lights it evaluates fewer; of the background one pixel.
+///
+/// # Errors
+/// As [`at`].
+pub fn section(
+    scene: &mut Scene,
+    view: &View,
+    [x, y]: [usize; 2],
+    level: Level,
+) -> Result<Vec<Probe>, OutOfMemory> {
+    let lights = scene.world.query_mut::<&Light>().into_iter().count();
+    let [width, height] = view.size;
+    // Squares lie in strips of this height.
+    let top = y / MAX_SIDE * MAX_SIDE;
+    let rows = top..(top + MAX_SIDE).min(height);
+    let mut draw = |view: &View| {
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame)?;
+        Ok(frame)
+    };
+    let own = draw(view)?;
+    let gouraud = draw(&view.shaded(ShadingMode::Gouraud))?;
+    let phong = draw(&view.shaded(ShadingMode::Phong))?;
+    let row = (y - top) * width;
+    let triangles = &own.triangles()[row..row + width];
+    let is_seen = |column: &usize| {
+        triangles[x] != TriangleId::NONE && triangles[*column].face_id() == triangles[x].face_id()
+    };
+    let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
+    let last = (x..width).take_while(is_seen).last().unwrap_or(x);
+    let step = ((last + 1 - first) * lights / MOST_TERMS).max(1);
+    let is_kept =
+        |column: &usize| (column - first).is_multiple_of(step) || [x, last].contains(column);
+    let columns: Vec<usize> = (first..=last).filter(is_kept).collect();
+    let samples = reference::in_row(&scene.world, view, y, &columns);
+    let source = |(name, light, transform): (&Name, &Light, Option<&Transform>)| Source {
+        name: name.0.clone(),
+        light: *light,
+        place: transform.map_or(DVec3::ZERO, |it| it.position),
+    };
+    let mut sources = in_file_order::<(&Name, &Light, Option<&Transform>), _>(&scene.world, source);
+    sources.retain(|source| source.light.on);
+    let eye = (view.projection == Projection::Perspective).then_some(view.camera.position);
+    let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode, Shape)>();
+    let cuboids: Vec<_> = query.iter().collect();
+    let probes = columns.into_iter().zip(samples).map(|(x, sample)| {
+        let id = own.triangles()[row + x];
+        let cuboid = cuboids.iter().find(|(order, ..)| order.0 == id.cuboid());
+        let surface = cuboid.map(|(_, name, material, mode, shape)| {
+            let levels = |frame: &Frame| frame.levels()[row + x].map(f64::from);
+            let own_face = |it: &Sample| {
+                let seen = TriangleId::new(it.object as u32, it.triangle);
+                seen.face_id() == id.face_id()
+            };
+            let sample = sample.filter(own_face);
+            // Levels beyond f32 come from the reference. They give the same byte.
+            let finite = |frame: &Frame, exact: fn(&Sample) -> DVec3| {
+                let drawn = DVec3::from(levels(frame));
+                let exact = sample.as_ref().map_or(drawn, exact);
+                DVec3::select(drawn.is_finite_mask(), drawn, exact)
+            };
+            ProbedSurface {
+                object: name.0.clone(),
+                triangle: id.triangle(),
+                material: **material,
+                vertices: sample
+                    .as_ref()
+                    .map_or_else(Default::default, |it| vertices(it, *shape)),
+                eye,
+                sources: sources.clone(),
+                gouraud: finite(&gouraud, |it| it.gouraud),
+                phong: finite(&phong, |it| it.phong),
+                drawn: levels(&own),
+                mode: view.mode(**mode),
+                tolerance: view.tolerance,
+                kind: SquareKind::ALL[usize::from(own.kinds()[row + x] & !SQUARE_EDGE)],
+                sample,
+            }
+        });
+        let pixel = [x, y];
+        Probe { pixel, surface }
+    });
+    Ok(probes.collect())
+}

@@ -1,0 +1,131 @@
+//! Sentences about a pixel: the cause of the difference between interpolation and exact Phong, and the cost.
+
+use super::ProbedSurface;
+use crate::components::{LightKind, ShadingMode};
+use crate::output::words::{CHANNELS, short};
+use crate::questions::metrics::displayed;
+use crate::reference::LightSample;
+use crate::shading::SquareKind;
+
+/// Levels that differ by less than this agree: no eye tells them apart.
+const AGREE: f64 = 1.0;
+/// A vertex lies outside a highlight if its factor is less than this share of the pixel's.
+const OUTSIDE: f64 = 0.1;
+
+impl ProbedSurface {
+    /// The channel in which interpolation and exact Phong differ most, and their difference in displayed levels. The
+    /// interpolation is the picture's if it has unit vectors, else Gouraud's. `None` if the reference sees another face.
+    pub fn error(&self) -> Option<(usize, f64)> {
+        let sample = self.sample.as_ref()?;
+        let interpolated = match self.mode {
+            ShadingMode::UnitVectors => self.drawn,
+            _ => sample.gouraud.to_array(),
+        };
+        let phong = sample.phong.to_array().map(displayed);
+        let error = |channel: usize| (displayed(interpolated[channel]) - phong[channel]).abs();
+        let errors = [2, 1, 0].map(|channel| (channel, error(channel)));
+        // Of equal ones, the first.
+        errors
+            .into_iter()
+            .max_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The cause of that difference, and its evidence.
+    pub fn cause(&self) -> Option<[String; 2]> {
+        let sample = self.sample.as_ref()?;
+        let (channel, error) = self.error()?;
+        let color = CHANNELS[channel];
+        if self.mode == ShadingMode::UnitVectors {
+            let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
+            let cause = "Interpolated unit vectors are too short";
+            let length = sample.normal_length;
+            // Face normals keep their length; l and o do not.
+            let shorter = if length < 0.995 {
+                format!("n has length {length:.2} here")
+            } else {
+                "l and o are shorter than 1 here".to_owned()
+            };
+            return Some([
+                format!("{cause}: {drawn} instead of {exact} in {color}."),
+                format!("{shorter}, so n.l and o.r are no cosines."),
+            ]);
+        }
+        let difference =
+            |light: &LightSample| (light.gouraud[channel] - light.phong[channel]).abs();
+        let lights = sample.lights.iter();
+        let lights = lights.filter(|light| light.kind != LightKind::Ambient);
+        let most = lights.max_by(|one, other| difference(one).total_cmp(&difference(other)));
+        let Some(light) = most else {
+            let cause = "No diffuse or specular light is on: Gouraud and Phong agree.";
+            return Some([cause.to_owned(), String::new()]);
+        };
+        let (name, here) = (format!("light {}", light.name), light.factor);
+        let factor = match light.kind {
+            LightKind::Specular => format!("(o.r)^{}", self.material.shininess),
+            _ => "n.l".to_owned(),
+        };
+        let [a, b, c] = light.vertex_factors;
+        let evidence = format!(
+            "{factor} of {name} is {a:.2}, {b:.2} and {c:.2} at the vertices, and {here:.2} here."
+        );
+        if error < AGREE {
+            let cause = if (sample.gouraud - sample.phong).abs().max_element() < AGREE {
+                "Light changes nearly linearly here"
+            } else {
+                "Both are beyond the levels of the display"
+            };
+            let agreement = format!("{cause}: Gouraud and Phong agree within {}.", level(error));
+            return Some([agreement, evidence]);
+        }
+        let is_less = light.gouraud[channel] < light.phong[channel];
+        let is_specular = light.kind == LightKind::Specular;
+        let most = a.max(b).max(c);
+        let cause = if is_specular && is_less && most < OUTSIDE * here {
+            format!("No vertex lies in the highlight of {name}, so interpolation cannot find it")
+        } else if !is_specular && is_less && here > most {
+            format!("The surface faces {name} more here than at any vertex")
+        } else if !is_specular && light.vertex_factors.contains(&0.0) {
+            format!("A vertex faces away from {name}: n.l is negative there and counts as 0")
+        } else {
+            let course = if is_less { "above" } else { "below" };
+            format!("{factor} of {name} lies {course} a straight line between the vertices")
+        };
+        let [gouraud, phong] = [light.gouraud, light.phong].map(|term| level(term[channel]));
+        let cause =
+            format!("{cause}. The light adds {gouraud} levels of {color} instead of {phong}.");
+        Some([cause, evidence])
+    }
+
+    /// The evaluations of the model in the square of the pixel.
+    pub fn cost(&self) -> String {
+        let (kind, within) = (self.kind.name(), self.tolerance);
+        match (self.mode, self.kind) {
+            (ShadingMode::Gouraud, SquareKind::PerPixel | SquareKind::InF64) => {
+                "The model is not evaluated here: the levels of three vertices are interpolated at every pixel."
+                    .to_owned()
+            }
+            (ShadingMode::Gouraud, _) => format!(
+                "The model is not evaluated here: Gouraud interpolates the levels of three vertices. In the square around \
+                 this pixel a polynomial ({kind}) stands for that, proven within {within}."
+            ),
+            (_, SquareKind::PerPixel) => {
+                "The model is evaluated here, as at every pixel of the square.".to_owned()
+            }
+            (_, SquareKind::InF64) => {
+                "The model is evaluated here in f64, as at every pixel of the square.".to_owned()
+            }
+            _ => format!(
+                "The model is evaluated at nine places of the square around this pixel. A polynomial through them ({kind}) \
+                 is proven within {within}."
+            ),
+        }
+    }
+}
+
+/// A level, or a difference of levels, with few digits.
+fn level(value: f64) -> String {
+    match value {
+        10.0.. => format!("{value:.0}"),
+        _ => short(value),
+    }
+}

@@ -1,0 +1,381 @@
+//! The proof of a picture: every pixel is compared with intervals that enclose its exact levels.
+//!
+//! ```text
+//! World --FRAME--> levels, bytes, faces ---+
+//!  or a PNG of any program --> bytes ------+--judge--> proven, undecided, a gap or refuted
+//! World --reference over intervals--> faces that each pixel may show, and their levels
+//!       --reference over f64--> the reference's own error
+//! ```
+//! An enclosure holds the exact levels of a face. Where the sign of n.l is undecided, a face has several, with and without
+//! highlights, and a pixel may show any of them. A pixel is proven if it shows a face that it may show, and every value of
+//! one of that face's enclosures is within the limit of the drawn levels. It is refuted if it shows another face, or no
+//! value is within the limit. Else it is undecided. A pixel is a gap if it fits only a face that others hide all around its
+//! centre, as at a joint of touching faces. Each byte must be the display step of a level within the limit. A PNG
+//! does not say which face a pixel shows: each one that the pixel may show is tried. Differences are rounded outwards.
+
+pub mod command;
+mod png;
+
+use std::cmp::Ordering::Equal;
+
+use fearless_simd::Level;
+use hecs::World;
+use serde::Serialize;
+
+use crate::components::{TriangleId, View};
+use crate::output::Monitor;
+use crate::output::memory;
+use crate::output::progress::bands;
+use crate::questions::metrics::{difference, displayed, ends};
+use crate::reference::{Interval, Real, Reference, Seen};
+use crate::shading::limit;
+use crate::systems;
+use crate::systems::frame::{Frame, Keep, Workers, display_step};
+pub use png::{PngPicture, read as read_png};
+
+/// How far a level may be from its byte, in levels.
+const ROUNDING: f64 = 0.5;
+
+/// The most pixels in the list of examples.
+const EXAMPLES: usize = 10;
+
+/// The judgement of a pixel, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    Proven,
+    Undecided,
+    Gap,
+    Refuted,
+}
+
+impl Verdict {
+    /// The name in messages and in JSON.
+    pub fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
+    }
+
+    /// Whether an error that lies between these is within the limit.
+    pub fn of([least, most]: [f64; 2], limit: f64) -> Self {
+        if most <= limit {
+            Verdict::Proven
+        } else if least > limit {
+            Verdict::Refuted
+        } else {
+            Verdict::Undecided
+        }
+    }
+
+    /// Whether bytes are the display steps of levels within `limit` of an enclosure: of all its values, or of some.
+    fn of_bytes(bytes: [u8; 3], seen: &Seen<Interval>, limit: f64) -> Self {
+        let limit = Interval::of(limit);
+        let verdict = |(byte, ends): (u8, [f64; 2])| {
+            let [least, largest] = ends.map(Interval::of);
+            let byte_of = |level: Interval, end: usize| display_step(level.endpoints()[end]);
+            let of_all = byte_of(largest - limit, 1)..=byte_of(least + limit, 0);
+            let of_some = byte_of(least - limit, 0)..=byte_of(largest + limit, 1);
+            match (of_all.contains(&byte), of_some.contains(&byte)) {
+                (true, _) => Verdict::Proven,
+                (false, true) => Verdict::Undecided,
+                (false, false) => Verdict::Refuted,
+            }
+        };
+        let channels = bytes.into_iter().zip(ends(seen.levels));
+        channels.map(verdict).fold(Verdict::Proven, Verdict::max)
+    }
+}
+
+/// The judgement of a pixel and its kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mark {
+    pub verdict: Verdict,
+    /// Whether an edge is so near that the pixel may show either side.
+    pub is_outline: bool,
+    /// Whether the pixel shows a cuboid.
+    pub is_covered: bool,
+}
+
+/// A pixel that is not proven.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Example {
+    pub pixel: [usize; 2],
+    pub verdict: Verdict,
+    /// Displayed levels.
+    pub drawn: [f64; 3],
+    /// The least and the largest displayed level, by channel.
+    pub enclosure: [[f64; 2]; 3],
+    /// The least and the largest possible error, in levels of 255.
+    pub error: [f64; 2],
+    /// The face of the enclosure, cuboid * 6 + face; `None` is the background.
+    pub face: Option<usize>,
+    /// The face that is drawn, cuboid * 6 + face; `None` is the background.
+    pub drawn_face: Option<usize>,
+}
+
+/// The proof of a picture. Errors and widths are between displayed levels.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Proof {
+    /// The largest allowed error of a pixel, in levels of 255.
+    pub limit: f64,
+    pub pixels: usize,
+    pub proven: u64,
+    pub refuted: u64,
+    pub undecided: u64,
+    /// Pixels that show what touching faces hide.
+    pub gaps: u64,
+    /// Pixels with an edge so near that they may show either side.
+    pub outline: u64,
+    /// Pixels that show a cuboid.
+    pub covered: u64,
+    /// The largest possible error of a proven pixel.
+    pub worst: f64,
+    pub widest_enclosure: f64,
+    /// The largest possible error of the f64 reference.
+    pub reference_error: f64,
+    /// The pixels that are not proven: the refuted ones first, then gaps, and of each the ones with the largest errors.
+    pub examples: Vec<Example>,
+    /// Row by row from the top.
+    #[serde(skip)]
+    pub marks: Vec<Mark>,
+}
+
+/// A pixel as a renderer draws it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shown {
+    /// Cuboid * 6 + face; `None` is the background.
+    pub face: Option<usize>,
+    pub levels: [f64; 3],
+    /// The bytes for a window; `None` if there are none to judge.
+    pub bytes: Option<[u8; 3]>,
+    /// How far the levels may have been rounded: `ROUNDING` if they are bytes, else 0.
+    pub rounding: f64,
+}
+
+impl Shown {
+    /// A pixel of two frames of one picture, one with levels and one with the bytes for a window.
+    pub fn at(pixel: usize, levels: &Frame, display: &Frame) -> Self {
+        let [_, bytes @ ..] = display.pixels()[pixel].to_be_bytes();
+        let (face, levels) = shown(levels, pixel);
+        Shown {
+            face,
+            levels,
+            bytes: Some(bytes),
+            rounding: 0.0,
+        }
+    }
+
+    /// A pixel of a picture without faces, 0x00RRGGBB. Its face is the one that fits its bytes best.
+    fn of_bytes(pixel: u32, seen: &[Seen<Interval>], limit: f64) -> Self {
+        let [_, bytes @ ..] = pixel.to_be_bytes();
+        let of_face = |face| Shown {
+            face,
+            levels: bytes.map(f64::from),
+            bytes: Some(bytes),
+            rounding: ROUNDING,
+        };
+        let judged = |face: &Option<usize>| {
+            let (mark, [_, most]) = judge(of_face(*face), seen, limit);
+            (mark.verdict, most)
+        };
+        let faces = seen.iter().map(Seen::face);
+        let best =
+            faces.min_by(|one, other| judged(one).partial_cmp(&judged(other)).unwrap_or(Equal));
+        of_face(best.flatten())
+    }
+}
+
+/// The face at a pixel of a frame, cuboid * 6 + face, and its levels.
+pub fn shown(frame: &Frame, pixel: usize) -> (Option<usize>, [f64; 3]) {
+    let triangle = frame.triangles()[pixel];
+    let face = (triangle != TriangleId::NONE).then_some(triangle.face_id() as usize);
+    (face, frame.levels()[pixel].map(f64::from))
+}
+
+/// The least and the largest possible error of `levels` against the enclosures of the face shown. Of several enclosures, the
+/// nearest decides each end. `None` if the pixel may not show this face.
+pub fn nearest(
+    shown: Option<usize>,
+    levels: [f64; 3],
+    seen: &[Seen<Interval>],
+) -> Option<[f64; 2]> {
+    let same = seen.iter().filter(|seen| seen.face() == shown);
+    same.map(|seen| difference(&ends(levels), &ends(seen.levels)))
+        .reduce(|one, other| [one[0].min(other[0]), one[1].min(other[1])])
+}
+
+/// The face with which a pixel is compared: the one that it shows if it may show it, else the first that it may show.
+fn compared(shown: Option<usize>, seen: &[Seen<Interval>]) -> Option<usize> {
+    let mut faces = visible(seen).map(Seen::face);
+    let first = faces.clone().next().flatten();
+    faces.find(|face| *face == shown).unwrap_or(first)
+}
+
+/// The surfaces that a pixel may show.
+fn visible(seen: &[Seen<Interval>]) -> impl Iterator<Item = &Seen<Interval>> + Clone {
+    seen.iter().filter(|seen| !seen.is_hidden)
+}
+
+/// Judges a pixel by the surfaces that it may show. Returns also its least and its largest possible error against the face
+/// with which it is compared.
+pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
+    let face = compared(shown.face, seen);
+    let error = nearest(face, shown.levels, seen).unwrap_or([0.0, 255.0]);
+    let of_error = |error| Verdict::of(error, limit + shown.rounding);
+    let of_levels = if face == shown.face {
+        of_error(error)
+    } else {
+        let hidden = nearest(shown.face, shown.levels, seen);
+        hidden.map_or(Verdict::Refuted, |error| of_error(error).max(Verdict::Gap))
+    };
+    let same = seen.iter().filter(|seen| seen.face() == shown.face);
+    let of_bytes = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
+    let of_bytes = shown.bytes.and_then(of_bytes).unwrap_or(of_levels);
+    let mark = Mark {
+        verdict: of_levels.max(of_bytes),
+        is_outline: visible(seen).any(|other| other.face() != face),
+        is_covered: shown.face.is_some(),
+    };
+    (mark, error)
+}
+
+impl Proof {
+    /// Adds the proof of the rows below.
+    fn append(&mut self, below: Proof) {
+        self.worst = self.worst.max(below.worst);
+        self.widest_enclosure = self.widest_enclosure.max(below.widest_enclosure);
+        self.reference_error = self.reference_error.max(below.reference_error);
+        self.examples.extend(below.examples);
+        self.examples.sort_by(|one, other| {
+            let by_verdict = other.verdict.cmp(&one.verdict);
+            by_verdict.then(other.error[0].total_cmp(&one.error[0]))
+        });
+        self.examples.truncate(EXAMPLES);
+        self.marks.extend(below.marks);
+    }
+
+    /// Adds one pixel.
+    fn add(&mut self, pixel: [usize; 2], shown: Shown, seen: &[Seen<Interval>], limit: f64) {
+        let (mark, error) = judge(shown, seen, limit);
+        let enclosures = visible(seen).flat_map(|seen| ends(seen.levels));
+        let widths = enclosures.map(|[least, largest]| largest - least);
+        self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
+        if mark.verdict == Verdict::Proven {
+            self.worst = self.worst.max(error[1]);
+        } else {
+            let face = compared(shown.face, seen);
+            // The hull of the face's enclosures.
+            let enclosure = [0, 1, 2].map(|channel| {
+                let same = seen.iter().filter(|seen| seen.face() == face);
+                let same = same.map(|seen| ends(seen.levels)[channel]);
+                same.fold([255.0, 0.0], |[a, b], [c, d]| [c.min(a), d.max(b)])
+            });
+            self.examples.push(Example {
+                pixel,
+                verdict: mark.verdict,
+                drawn: shown.levels.map(displayed),
+                enclosure,
+                error,
+                face,
+                drawn_face: shown.face,
+            });
+        }
+        self.marks.push(mark);
+    }
+}
+
+/// Proves `picture`, 0x00RRGGBB row by row from the top, on rayon's current threads. Without one, proves the picture that
+/// the renderer draws of `view` at the SIMD level.
+///
+/// # Errors
+/// If the picture does not fit in memory, or the work is cancelled.
+pub async fn prove(
+    world: &mut World,
+    view: &View,
+    picture: Option<&[u32]>,
+    level: Level,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Proof> {
+    let [proof] = prove_at([view.tolerance], world, view, picture, level, monitor).await?;
+    Ok(proof)
+}
+
+/// As [`prove`], at each of these tolerances instead of the view's. Pixels are enclosed once for all of them.
+///
+/// # Errors
+/// If the picture does not fit in memory, or the work is cancelled.
+pub async fn prove_at<const COUNT: usize>(
+    tolerances: [f64; COUNT],
+    world: &mut World,
+    view: &View,
+    picture: Option<&[u32]>,
+    level: Level,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<[Proof; COUNT]> {
+    let [width, height] = view.size;
+    // Levels and bytes.
+    let mut frames = tolerances
+        .map(|_| [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level))));
+    let enclosures = Reference::<Interval>::new(world, view);
+    let reference = Reference::<f64>::new(world, view);
+    // Bytes are rounded levels.
+    let rounding = if picture.is_some() { ROUNDING } else { 0.0 };
+    let mut proofs = tolerances.map(|tolerance| Proof {
+        limit: limit(tolerance) + rounding,
+        pixels: width * height,
+        ..Proof::default()
+    });
+    let limits = tolerances.map(limit);
+    for proof in &mut proofs {
+        proof.marks = memory::reserve_pixels(view.size)?;
+    }
+    for rows in bands(height) {
+        if picture.is_none() {
+            for (tolerance, frames) in tolerances.iter().zip(&mut frames) {
+                let view = view.with_tolerance(*tolerance);
+                for frame in frames {
+                    systems::draw_rows(world, &view, rows.clone(), frame)?;
+                }
+            }
+        }
+        let prove_row = |y: usize| {
+            let mut exact = Vec::with_capacity(width);
+            reference.row(y, |_, seen| exact.push(seen[0]));
+            let mut proofs = tolerances.map(|_| Proof::default());
+            enclosures.row(y, |x, seen| {
+                let pixel = (y - rows.start) * width + x;
+                let error = nearest(exact[x].face(), exact[x].levels, seen);
+                let most = error.map_or(255.0, |[_, most]| most);
+                let drawn = frames.iter().zip(limits);
+                for (proof, ([levels, display], limit)) in proofs.iter_mut().zip(drawn) {
+                    let shown = match picture {
+                        Some(picture) => Shown::of_bytes(picture[y * width + x], seen, limit),
+                        None => Shown::at(pixel, levels, display),
+                    };
+                    proof.add([x, y], shown, seen, limit);
+                    proof.reference_error = proof.reference_error.max(most);
+                }
+            });
+            Ok(proofs)
+        };
+        let done = [rows.start, height];
+        let found = monitor.in_parallel("proving", rows.clone(), done, prove_row);
+        for row in found.await? {
+            for (proof, row) in proofs.iter_mut().zip(row) {
+                proof.append(row);
+            }
+        }
+    }
+    for proof in &mut proofs {
+        let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
+        proof.proven = count(|mark| mark.verdict == Verdict::Proven);
+        proof.undecided = count(|mark| mark.verdict == Verdict::Undecided);
+        proof.gaps = count(|mark| mark.verdict == Verdict::Gap);
+        proof.refuted = count(|mark| mark.verdict == Verdict::Refuted);
+        proof.outline = count(|mark| mark.is_outline);
+        proof.covered = count(|mark| mark.is_covered);
+    }
+    Ok(proofs)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,121 @@
+//! The command `requires`: prints a table or JSON, and writes a reduced scene.
+//!
+//! The reduced scene is a valid scene file. Its comments list the parts left out and their error.
+
+use serde_json::json;
+
+use super::bits::{StageBits, bits};
+use super::segments::{FewestSegments, fewest_segments};
+use super::{Part, PartChange, least, part_changes, ranked, without};
+use crate::components::View;
+use crate::output::progress::with_bar;
+use crate::output::tables::{aligned, wrapped};
+use crate::output::words::{interval, short};
+use crate::output::{Output, print, say};
+use crate::questions::job::Drawing;
+use crate::scene::{Scene, SceneRecord, updated};
+
+const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
+    above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
+
+const LEGEND_OF_SEGMENTS: &str = "cells of a face: the fewest, 1 x 1 to 256 x 256, with which Gouraud keeps the tolerance against \
+    exact Phong, while all other cuboids have exact Phong; largest error: with so many cells, or with 256 x 256, in levels \
+    of 255, proven.";
+
+const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
+    least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \
+    number of bits, in levels of 255, proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
+
+/// Prints the parts, the segments and the bits that a picture requires, and writes a reduced scene to `least_scene`.
+///
+/// # Errors
+/// If the picture does not fit in memory or the output cannot be written.
+pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
+    let (subject, view) = (drawing.subject(), drawing.view());
+    let rows = with_bar(async |monitor| part_changes(&drawing.scene, &view, monitor).await)?;
+    let stages = with_bar(async |monitor| bits(&drawing.scene, &view, monitor).await)?;
+    let segments = with_bar(async |monitor| fewest_segments(&drawing.scene, &view, monitor).await)?;
+    let record = json!({
+        "scene": drawing.scene.name,
+        "tolerance": view.tolerance,
+        "views": 1,
+        "parts": rows,
+        "segments": segments,
+        "bits": stages,
+    });
+    let rows = ranked(rows);
+    print(&record, as_json, least_scene, || {
+        let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
+        let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
+        let cells = stages.iter().map(StageBits::cells);
+        let bits = [aligned(&head, cells), wrapped(LEGEND_OF_BITS)];
+        let segments = [table_of_segments(&segments), wrapped(LEGEND_OF_SEGMENTS)];
+        [&parts[..], &segments[..], &bits[..]].concat().join("\n\n")
+    })?;
+    match least_scene {
+        Some(output) => write_least(&subject, &drawing.scene, &view, rows, output),
+        None => Ok(()),
+    }
+}
+
+/// The table of these parts.
+fn table(rows: &[PartChange]) -> String {
+    let cells = |row: &PartChange| {
+        [
+            row.name.clone(),
+            interval(row.change.largest_error, short),
+            row.change.pixels.to_string(),
+            if row.required { "yes" } else { "no" }.to_owned(),
+        ]
+    };
+    let head = ["part", "largest error", "pixels", "required"];
+    aligned(&head, rows.iter().map(cells))
+}
+
+/// The table of the segments that cuboids require.
+fn table_of_segments(rows: &[FewestSegments]) -> String {
+    let cells = |row: &FewestSegments| {
+        [
+            row.cuboid.clone(),
+            row.cells(),
+            interval(row.largest_error, short),
+        ]
+    };
+    let head = ["cuboid under Gouraud", "cells of a face", "largest error"];
+    aligned(&head, rows.iter().map(cells))
+}
+
+/// Writes a scene without parts that it does not require. Only parts that a scene file can leave out are tried, each once,
+/// the part with the least error first. Another order might leave out more.
+fn write_least(
+    subject: &str,
+    scene: &Scene,
+    view: &View,
+    mut rows: Vec<PartChange>,
+    output: &Output,
+) -> anyhow::Result<()> {
+    rows.retain(|row| row.part.is_in_file() && !row.required);
+    rows.sort_by(|one, other| one.change.most().total_cmp(&other.change.most()));
+    let candidates: Vec<Part> = rows.iter().map(|row| row.part).collect();
+    let (left_out, change) =
+        with_bar(async |monitor| least(scene, view, &candidates, monitor).await)?;
+    rows.retain(|row| left_out.contains(&row.part));
+    let names: Vec<String> = rows.into_iter().map(|row| row.name).collect();
+    let found = if names.is_empty() {
+        "no light, cuboid, Phong shading or corner normals can be left out".to_owned()
+    } else {
+        let (names, most) = (names.join(", "), (1e4 * change.most()).ceil() / 1e4);
+        format!("left out: {names}; errs by at most {most} levels, proven")
+    };
+    // A line break in a name would end the comment.
+    let comments = format!("The least scene for {subject}: {found}.");
+    let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
+    let mut record = SceneRecord::of(&without(scene, &left_out).world);
+    record.keep_active_camera();
+    // The file gets the tolerance that was proven, and no budget.
+    (record.view.tolerance, record.view.budget) = (view.tolerance, None);
+    let text = updated("", &record);
+    output.write(format!("# {comments}\n\n{text}"))?;
+    say(&format!("wrote {}: {found}", output.name()));
+    Ok(())
+}

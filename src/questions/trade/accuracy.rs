@@ -1,0 +1,138 @@
+//! The picture of each method compared with the reference.
+//!
+//! ```text
+//! scene, black background, specular lights alone --> the share of the highlight that each method keeps
+//! scene --+-- exact Phong in f64 ----> error of each method; in a report also the error map
+//!         '-- its own mode in f64 ---> in a report, own error
+//! ```
+//! Nothing here is timed. The figures do not depend on the number of threads.
+
+use std::collections::{HashMap, HashSet};
+
+use anyhow::Context;
+use glam::DVec3;
+
+use super::error_map::Scale;
+use super::measurement::{Measurement, Request};
+use super::timing::Timing;
+use crate::components::{Light, LightKind, ShadingMode, View};
+use crate::output::Monitor;
+use crate::output::memory;
+use crate::questions::metrics::{Picture, compare, compared};
+use crate::reference;
+use crate::scene::Scene;
+use crate::shading::{METHODS, Method};
+use crate::systems;
+use crate::systems::frame::{Frame, Keep, Workers, display_step};
+
+/// The most bytes for a pixel: a reference picture, a frame, and a list of errors.
+const BYTES: usize = 28 + 17 + 8;
+/// The bytes that a report adds: three reference pictures, and a map for each method.
+const BYTES_OF_REPORT: usize = 3 * 28 + 4 * METHODS.len();
+
+/// The errors of `methods` in the view of `request`, without times.
+///
+/// # Errors
+/// If the pictures do not fit in memory, or the work is cancelled.
+pub async fn errors(
+    request: &Request,
+    methods: &[Method],
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<Measurement>> {
+    let view = &request.drawing.view();
+    if methods.is_empty() {
+        return Ok(Vec::new());
+    }
+    let bytes = BYTES + usize::from(request.is_report) * BYTES_OF_REPORT;
+    memory::check(view.size, view.size[0] * view.size[1] * bytes)
+        .context("the methods cannot be compared")?;
+    let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
+    let mut scene = request.drawing.scene.snapshot();
+    let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor).await?;
+    let own_modes = methods.iter().filter(|it| it.segments.is_none());
+    let own_modes = own_modes.map(|method| method.mode);
+    let own_modes = own_modes.filter(|_| request.is_report);
+    let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
+    let mut truths = HashMap::new();
+    for mode in modes {
+        let view = view.shaded(mode);
+        let truth = reference::picture(&scene.world, &view, 0..view.size[1], monitor).await?;
+        truths.insert(mode, truth);
+    }
+    let exact = Picture::from(&truths[&ShadingMode::Phong]);
+    let mut measured = Vec::new();
+    for (method, highlight_kept) in methods.iter().zip(shares_kept) {
+        monitor.check()?;
+        monitor.rest().await;
+        systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
+        let drawn = Picture::from(&frame);
+        let difference = compare(drawn, exact);
+        let (mut own_error, mut map) = (None, Vec::new());
+        if request.is_report {
+            let rows = 0..view.size[1];
+            let own = match method.segments {
+                None => &truths[&method.mode],
+                Some(_) => {
+                    &reference::picture(&scene.world, &method.view(view), rows, monitor).await?
+                }
+            };
+            own_error = compare(drawn, Picture::from(own)).error;
+            map.extend(compared(drawn, exact).map(|it| Scale::WIDEST.color(it)));
+        }
+        measured.push(Measurement {
+            method: *method,
+            threads: request.drawing.threads,
+            timing: Timing::default(),
+            ns_per_covered_pixel: None,
+            counts: frame.counts(),
+            error: difference.error,
+            own_error,
+            edge_pixels: difference.edge_pixels,
+            highlight_kept,
+            on_front: false,
+            map,
+        });
+        let share = measured.len() as f64 / methods.len() as f64;
+        (monitor.progress)("comparing pictures", share);
+    }
+    Ok(measured)
+}
+
+/// The share of the highlight that each method keeps.
+async fn highlight_kept(
+    scene: &Scene,
+    view: &View,
+    methods: &[Method],
+    frame: &mut Frame,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<Option<f64>>> {
+    let mut specular = scene.snapshot();
+    for light in specular.world.query_mut::<&mut Light>() {
+        light.on &= light.kind == LightKind::Specular;
+    }
+    let dark = View {
+        background: DVec3::ZERO,
+        ..view.shaded(ShadingMode::Phong)
+    };
+    let highlight = reference::picture(&specular.world, &dark, 0..view.size[1], monitor).await?;
+    let mut shares = Vec::with_capacity(methods.len());
+    for method in methods {
+        monitor.check()?;
+        monitor.rest().await;
+        systems::draw(&mut specular.world, &method.view(&dark), frame)?;
+        shares.push(share_kept(frame.levels(), &highlight.levels));
+    }
+    Ok(shares)
+}
+
+/// The displayed light that both pictures show at the same pixel and channel, as a share of all that `whole` shows, 0..=1;
+/// `None` if it shows none.
+pub fn share_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> Option<f64> {
+    let (mut common, mut all) = (0, 0);
+    for (kept, whole) in kept.as_flattened().iter().zip(whole.as_flattened()) {
+        let [kept, whole] = [f64::from(*kept), *whole].map(|it| u64::from(display_step(it)));
+        common += kept.min(whole);
+        all += whole;
+    }
+    (all > 0).then(|| common as f64 / all as f64)
+}

@@ -1,0 +1,135 @@
+//! One batch of timed frames, drawn by this process or by one of its own.
+//!
+//! ```text
+//! trade --the batch on stdin, JSON--> trade --batch --times on stdout, JSON--> trade
+//! ```
+//! Some properties vary from run to run of the program, for example the place of its memory. In processes of their own
+//! the batches vary as runs do, so the interval of their medians includes this variation.
+
+use std::env;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use anyhow::{Context, ensure};
+use serde::{Deserialize, Serialize};
+
+use super::measurement::Request;
+use super::timing::{self, Batch};
+use crate::output::Monitor;
+use crate::output::Output;
+use crate::output::finished;
+use crate::questions::job::Drawing;
+use crate::scene::{Scene, SceneRecord};
+use crate::shading::METHODS;
+use crate::shading::simd;
+use crate::systems;
+use crate::systems::frame::{Frame, Keep};
+
+/// A batch for a process of its own: a [`Request`] and the number of the batch.
+#[derive(Serialize, Deserialize)]
+struct BatchRequest {
+    scene: SceneRecord,
+    size: [usize; 2],
+    threads: usize,
+    simd: String,
+    /// By their ids.
+    methods: Vec<String>,
+    time: Duration,
+    number: usize,
+}
+
+/// Times a batch in this process. All methods draw into one frame, so that they have the same place in memory.
+///
+/// # Errors
+/// If memory or threads do not suffice, or the work is cancelled.
+pub async fn time_here(
+    request: &Request,
+    number: usize,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Batch> {
+    let view = request.drawing.view();
+    let views: Vec<_> = request.methods.iter().map(|it| it.view(&view)).collect();
+    let mut frame = Frame::new(Keep::Display, request.drawing.workers()?);
+    let mut scene = request.drawing.scene.snapshot();
+    let draw = |method: usize| {
+        systems::draw(&mut scene.world, &views[method], &mut frame)
+            .context("the methods cannot be compared")
+    };
+    timing::batch(number, views.len(), request.time, monitor, draw).await
+}
+
+/// Runs this program as `trade --batch`, and returns the times that it prints.
+///
+/// # Errors
+/// If the process cannot be started or cannot measure.
+pub async fn time_in_a_process(
+    request: &Request,
+    number: usize,
+    _: Monitor<'_>,
+) -> anyhow::Result<Batch> {
+    let drawing = &request.drawing;
+    let asked = BatchRequest {
+        scene: SceneRecord::of(&drawing.scene.world),
+        size: drawing.size,
+        threads: drawing.threads,
+        simd: simd::name(drawing.level).to_owned(),
+        methods: request.methods.iter().map(|it| it.id.to_owned()).collect(),
+        time: request.time,
+        number,
+    };
+    let times = || {
+        let mut child = Command::new(this_program()?)
+            .args(["trade", "--batch"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()?;
+        if let Some(mut input) = child.stdin.take() {
+            // A process that does not read it says why.
+            let _ = input.write_all(&serde_json::to_vec(&asked)?);
+        }
+        let output = child.wait_with_output()?;
+        let said = String::from_utf8_lossy(&output.stderr);
+        let said = said.trim().trim_start_matches("error: ");
+        ensure!(output.status.success(), "{said}");
+        serde_json::from_slice(&output.stdout).context("its times cannot be read")
+    };
+    times().context("cannot measure in a process of its own")
+}
+
+/// The file of the running program. Linux keeps it even if a new build has replaced it.
+fn this_program() -> std::io::Result<PathBuf> {
+    let kept = Path::new("/proc/self/exe");
+    if cfg!(target_os = "linux") && kept.exists() {
+        Ok(kept.to_owned())
+    } else {
+        env::current_exe()
+    }
+}
+
+/// The command `trade --batch`: times the batch on standard input and prints its times.
+///
+/// # Errors
+/// If there is none, or it cannot be measured.
+pub fn run() -> anyhow::Result<()> {
+    let asked = serde_json::from_reader(io::stdin().lock());
+    let asked: BatchRequest = asked.context("cannot read a batch from standard input")?;
+    asked.scene.check()?;
+    let method = |id: &String| METHODS.iter().find(|it| it.id == id).copied();
+    let methods = asked.methods.iter().map(method).collect::<Option<_>>();
+    let request = Request {
+        drawing: Drawing {
+            scene: Scene::spawn(String::new(), &asked.scene),
+            size: asked.size,
+            threads: asked.threads,
+            level: simd::named(&asked.simd).context("no such SIMD level")?,
+        },
+        methods: methods.context("no such method")?,
+        time: asked.time,
+        is_report: false,
+    };
+    let times = finished(time_here(&request, asked.number, Monitor::NONE))?;
+    Output::Stdout.write(serde_json::to_vec(&times)?)
+}

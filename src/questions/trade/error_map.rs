@@ -1,0 +1,271 @@
+//! The errors of a picture in colours, and the legend of the colours.
+//!
+//! A scale runs from 0 to its top, evenly in log(1 + 1020 error / top), so small errors are visible beside large
+//! ones. All files have the widest scale, so their colours can be compared. The window takes the narrowest scale that holds
+//! its errors.
+
+use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
+
+use crate::output::paint::{annotate, color};
+use crate::questions::metrics::Pixel;
+use crate::systems::frame::display_pixel;
+
+/// The colour of a pixel at which neither picture shows a cuboid, 0x00RRGGBB.
+pub const NOTHING: u32 = 0x005c_6166;
+
+/// The colour of a pixel at which the pictures show different faces, 0x00RRGGBB.
+pub const EDGE: u32 = 0x0035_c28a;
+
+/// Coefficients of 1, t, t^2, ... for red, green and blue, 0..=1.
+///
+/// Fitted by least squares to every eighth colour of magma (van der Walt and Smith 2015, matplotlib, CC0). The difference to
+/// magma is less than 6 of 255.
+const MAGMA: [[f64; 7]; 3] = [
+    [
+        -0.0011, 0.2559, 8.0863, -26.0652, 48.3106, -46.6983, 17.1074,
+    ],
+    [0.0014, 0.6091, -2.692, 10.3584, -20.0632, 21.5885, -8.8214],
+    [0.0023, 2.207, 2.4994, -20.8892, 24.8291, -5.2793, -2.6193],
+];
+
+/// The colours of errors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The largest error with its own colour, in levels.
+    top: f64,
+}
+
+impl Scale {
+    /// Holds all errors.
+    pub const WIDEST: Scale = Scale { top: 255.0 };
+    const NARROW_TOPS: [f64; 5] = [0.001, 0.01, 0.1, 1.0, 10.0];
+    /// Well below the top divided by this number the scale is even in the error, and above it in the error's logarithm.
+    const RANGE: f64 = 1020.0;
+
+    /// The narrowest scale that holds errors up to this one.
+    pub fn holding(error: f64) -> Scale {
+        let mut tops = Scale::NARROW_TOPS.into_iter();
+        let top = tops.find(|top| error <= *top);
+        top.map_or(Scale::WIDEST, |top| Scale { top })
+    }
+
+    /// The errors with a label, in levels.
+    pub fn ticks(self) -> Vec<f64> {
+        if self == Scale::WIDEST {
+            vec![0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0]
+        } else {
+            [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
+                .map(|thousandths| thousandths * self.top / 1000.0)
+                .to_vec()
+        }
+    }
+
+    /// The place of an error in levels on the scale, 0..=1.
+    pub fn position(self, error: f64) -> f64 {
+        ((error / self.top * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
+    }
+
+    /// The colour of a pixel, 0x00RRGGBB.
+    pub fn color(self, pixel: Pixel) -> u32 {
+        match pixel {
+            Pixel::Error(error) => color_at(self.position(error)),
+            Pixel::Edge => EDGE,
+            Pixel::Nothing => NOTHING,
+        }
+    }
+
+    /// Draws the colours from left to right, and the errors of its ticks, in levels, below them.
+    pub fn draw(self, painter: &Painter, row: Rect, ink: Color32) {
+        let (top, middle, half) = (row.top(), row.center().y, row.height() / 2.0);
+        let column = |x: f32, top: f32| Rect::from_x_y_ranges(x..=x + 1.0, top..=middle);
+        // Half of the last label is to the right of its tick.
+        let last = row.width() - row.height();
+        for x in (0..=last as u16).map(f32::from) {
+            let shade = color(color_at(f64::from(x / last)));
+            painter.rect_filled(column(row.left() + x, top), 0.0, shade);
+        }
+        // A label that would touch the one to its right is left out.
+        let mut free = row.right();
+        for tick in self.ticks().into_iter().rev() {
+            let x = row.left() + (self.position(tick) as f32 * last).round();
+            painter.rect_filled(column(x, middle - half / 4.0), 0.0, ink);
+            let font = FontId::monospace(half * 0.8);
+            let label = painter.layout_no_wrap(tick.to_string(), font, ink);
+            let left = (x - label.size().x / 2.0).max(row.left());
+            if left + label.size().x < free {
+                painter.galley(pos2(left, middle), label, ink);
+                free = left;
+            }
+        }
+    }
+}
+
+fn color_at(position: f64) -> u32 {
+    display_pixel(MAGMA.map(|coefficients| {
+        let powers = coefficients.iter().rev();
+        255.0 * powers.fold(0.0, |sum, c| sum * position + c)
+    }))
+}
+
+/// The least width of a map with its legend, in pixels.
+const WIDTH: usize = 640;
+/// The height of the legend, in pixels.
+const HEIGHT: usize = 104;
+/// The longest scale, in pixels.
+const LONGEST: f32 = 1200.0;
+/// 0x00RRGGBB.
+const PAPER: u32 = 0x0014_1518;
+const INK: Color32 = Color32::from_gray(230);
+const MARGIN: f32 = 20.0;
+
+/// A map of [`Scale::WIDEST`] with a title and the legend below it: the pixels and the new size. A narrow map is extended to
+/// the right.
+pub fn with_legend(
+    map: &[u32],
+    [width, height]: [usize; 2],
+    title: &str,
+) -> (Vec<u32>, [usize; 2]) {
+    let wide = width.max(WIDTH);
+    let mut pixels = vec![PAPER; wide * (height + HEIGHT)];
+    for (row, line) in map.chunks_exact(width).enumerate() {
+        pixels[row * wide..][..width].copy_from_slice(line);
+    }
+    annotate(&mut pixels[wide * height..], [wide, HEIGHT], |painter| {
+        let write = |x: f32, y: f32, size: f32, text: &str| {
+            let font = FontId::proportional(size);
+            painter.text(pos2(x, y), Align2::LEFT_CENTER, text, font, INK)
+        };
+        write(MARGIN, 15.0, 16.0, title);
+        let length = (wide as f32 - 2.0 * MARGIN).min(LONGEST);
+        let row = Rect::from_min_size(pos2(MARGIN, 30.0), vec2(length, 32.0));
+        Scale::WIDEST.draw(painter, row, INK);
+        let mut x = MARGIN;
+        for (ink, meaning) in [
+            (color_at(0.0), "no error"),
+            (EDGE, "another face: not compared"),
+            (NOTHING, "nothing drawn"),
+        ] {
+            let swatch = Rect::from_min_size(pos2(x, 78.0), vec2(14.0, 14.0));
+            painter.rect(swatch, 0.0, color(ink), (1.0, INK), StrokeKind::Inside);
+            x = write(x + 22.0, 85.0, 15.0, meaning).right() + 24.0;
+        }
+    });
+    (pixels, [wide, height + HEIGHT])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::components::TriangleId;
+    use crate::questions::metrics::{Picture, compared};
+
+    #[test]
+    fn labels_are_centred_below_the_scale_and_apart() {
+        let (pixels, [width, _]) = with_legend(&[0], [1, 1], "");
+        // In the lower half of the scale's row.
+        let rows: Vec<&[u32]> = pixels.chunks_exact(width).skip(1 + 46).take(16).collect();
+        let is_inked = |column: &usize| rows.iter().any(|row| row[*column] != PAPER);
+        let inked: Vec<usize> = (0..width).filter(is_inked).collect();
+        let gaps = inked.windows(2).filter(|pair| pair[1] - pair[0] > 4);
+        assert_eq!(gaps.count() + 1, Scale::WIDEST.ticks().len());
+        // The ticks of the ends are in columns 20 and 588.
+        let [first, last] = [inked[0], inked[inked.len() - 1]];
+        assert!(
+            (20..24).contains(&first) && (592..604).contains(&last),
+            "{first} {last}"
+        );
+    }
+
+    #[test]
+    fn the_colours_are_magma() {
+        // matplotlib's magma at 0, 128/255 and 1, times 255.
+        for (at, expected) in [
+            (0.0, [0, 0, 4]),
+            (128.0 / 255.0, [183, 55, 121]),
+            (1.0, [252, 253, 191]),
+        ] {
+            let [_, found @ ..] = color_at(at).to_be_bytes();
+            let near = found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 6);
+            assert!(near, "{found:?} is not {expected:?}");
+        }
+    }
+
+    #[test]
+    fn the_scale_runs_from_none_to_all() {
+        let scale = Scale::WIDEST;
+        assert_eq!([0.0, 255.0].map(|it| scale.position(it)), [0.0, 1.0]);
+        // ln(1 + 1020 0.5 / 255) / ln(1 + 1020) = ln 3 / ln 1021.
+        assert!((scale.position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_narrowest_scale_that_holds_an_error_shows_it_and_ends_with_a_tick() {
+        for (error, top, first) in [
+            (0.0, 0.001, "0.000005"),
+            (0.001, 0.001, "0.000005"),
+            (0.06, 0.1, "0.0005"),
+            (1.0, 1.0, "0.005"),
+            (1.1, 10.0, "0.05"),
+            (10.1, 255.0, "0.5"),
+        ] {
+            let scale = Scale::holding(error);
+            assert_eq!(scale.top, top, "{error}");
+            assert_eq!(scale.ticks()[1].to_string(), first);
+            assert_eq!(scale.ticks().last(), Some(&top));
+            assert_eq!(scale.position(top), 1.0);
+        }
+    }
+
+    #[test]
+    fn background_edges_and_errors_are_told_apart() {
+        let left = Picture {
+            width: 2,
+            levels: &[[0.0; 3], [0.0; 3], [9.0; 3], [300.0; 3]],
+            triangles: &[
+                TriangleId::NONE,
+                TriangleId(0),
+                TriangleId(1),
+                TriangleId(1),
+            ],
+        };
+        let right = Picture {
+            levels: &[[0.0; 3]; 4],
+            triangles: &[
+                TriangleId::NONE,
+                TriangleId(2),
+                TriangleId(1),
+                TriangleId(0),
+            ],
+            ..left
+        };
+        let found: Vec<Pixel> = compared(left, right).collect();
+        let errors = [9.0, 255.0].map(Pixel::Error);
+        assert_eq!(found, [Pixel::Nothing, Pixel::Edge, errors[0], errors[1]]);
+        let colors = found.into_iter().map(|it| Scale::WIDEST.color(it));
+        let expected = [NOTHING, EDGE, color_at(0.506_5), color_at(1.0)];
+        for (color, expected) in colors.zip(expected) {
+            let [color, expected] = [color, expected].map(u32::to_be_bytes);
+            let near = color.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 8);
+            assert!(near, "{color:?} is not {expected:?}");
+        }
+    }
+
+    #[test]
+    fn a_narrow_map_has_the_scale_below_it_and_paper_beside_it() {
+        let (pixels, size) = with_legend(&[1, 2, 3, 4], [2, 2], "title");
+        assert_eq!(size, [WIDTH, 2 + HEIGHT]);
+        let row = |y: usize| &pixels[y * WIDTH..][..WIDTH];
+        assert_eq!(row(1)[..3], [3, 4, PAPER]);
+        let [first, last] = [20, 588];
+        for (x, &pixel) in row(2 + 30).iter().enumerate() {
+            let share = (x as f64 - first as f64) / (last - first) as f64;
+            let inside = (first..=last).contains(&x);
+            let expected = if inside { color_at(share) } else { PAPER };
+            assert_eq!(pixel, expected, "column {x}");
+        }
+        assert!(row(2 + 29).iter().all(|pixel| *pixel == PAPER));
+        // The ends of the scale have ticks in the lowest rows of the colours.
+        let ink = |x: usize| color(row(2 + 45)[x]) == INK;
+        assert!(ink(first) && ink(last) && !ink(first + 1) && !ink(last - 1));
+    }
+}

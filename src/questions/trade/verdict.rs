@@ -1,0 +1,93 @@
+//! Sentences that compare the times and the errors of methods.
+//!
+//! Every word follows from a measured number.
+
+use super::measurement::Measurement;
+use crate::components::Segments;
+use crate::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use crate::output::words::{capital, pace, short};
+use crate::shading::Method;
+
+/// An error that changes a displayed byte by one at most, in levels.
+pub const UNSEEN: f64 = 0.5;
+const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
+
+/// The sentences about Gouraud, Phong within half a level, the assignment's shortcut and Gouraud with enough vertices, if they
+/// were measured.
+pub fn verdict(measured: &[Measurement]) -> String {
+    if measured.iter().all(|it| it.error.is_none()) {
+        return NOTHING.to_owned();
+    }
+    let subjects = [(Gouraud, UNSEEN), (Phong, UNSEEN), (UnitVectors, 0.0)];
+    let of = |(mode, tolerance)| find(measured, Method::of(mode, tolerance));
+    // The fewest vertices whose error is not visible, or else the most.
+    let mut grids = measured.iter().filter(|it| it.method.segments.is_some());
+    let is_unseen = |it: &&Measurement| it.largest_error().is_some_and(|it| it <= 2.0 * UNSEEN);
+    let enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
+    // Where one cell suffices, more are not worth a word.
+    let one = find(measured, Method::of(Gouraud, UNSEEN));
+    let enough = enough.filter(|_| one.is_none_or(|it| !is_unseen(&it)));
+    let told = subjects.into_iter().filter_map(of).chain(enough);
+    let sentences: Vec<String> = told.filter_map(|it| against_phong(measured, it)).collect();
+    sentences.join(" ")
+}
+
+/// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
+pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
+    let shown = find(measured, shown)?;
+    let Some(text) = against_phong(measured, shown) else {
+        return Some(NOTHING.to_owned());
+    };
+    let gouraud =
+        find(measured, Method::of(Gouraud, UNSEEN)).filter(|_| shown.method.mode == Phong);
+    Some(match gouraud {
+        Some(gouraud) => {
+            let pace = pace(gouraud.timing.interval, shown.timing.interval);
+            let error = short(gouraud.largest_error());
+            format!("{text} Gouraud: {pace} this, off by {error}.")
+        }
+        None => text,
+    })
+}
+
+fn find(measured: &[Measurement], method: Method) -> Option<&Measurement> {
+    measured.iter().find(|it| it.method == method)
+}
+
+/// The time of `shown` compared with a rival, and its error; `None` if nothing is drawn.
+///
+/// The rival is Phong within half a level; that of itself, or if it was not measured, is exact Phong.
+fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
+    let error = format!("off by {} of 255", short(shown.largest_error()?));
+    let name = capital(&method_name(shown.method));
+    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Method::of(Phong, tolerance)));
+    let mut rivals = [half, exact].into_iter().flatten();
+    let rival = rivals.find(|it| it.method != shown.method);
+    Some(match rival {
+        // The shortcut is evaluated by its definition, so its time is not that of a renderer that uses it.
+        Some(rival) if shown.method.mode != UnitVectors => {
+            let pace = pace(shown.timing.interval, rival.timing.interval);
+            format!("{name}: {pace} {}, {error}.", method_name(rival.method))
+        }
+        _ => format!("{name}: {error}."),
+    })
+}
+
+/// A method in words: "Phong within half a level".
+pub fn method_name(method: Method) -> String {
+    if let Some(count) = method.segments.map(Segments::count) {
+        let own = method_name(Method::of(method.mode, method.tolerance));
+        return format!("{own} with {count} x {count} cells");
+    }
+    match (method.mode, method.tolerance) {
+        (UnitVectors, _) => "interpolated unit vectors".to_owned(),
+        (Gouraud, 0.0) => "exact Gouraud".to_owned(),
+        // Its tolerance is against itself, and says nothing about its error against Phong.
+        (Gouraud, UNSEEN) => "Gouraud".to_owned(),
+        (Gouraud, levels) => format!("Gouraud within {levels} of exact Gouraud"),
+        (Phong, 0.0) => "exact Phong".to_owned(),
+        (Phong, UNSEEN) => "Phong within half a level".to_owned(),
+        (Phong, 1.0) => "Phong within 1 level".to_owned(),
+        (Phong, levels) => format!("Phong within {levels} levels"),
+    }
+}

@@ -1,0 +1,252 @@
+//! The command `vary`: one number of a scene against error and time.
+//!
+//! ```text
+//! KEY=FROM..TO --variable--> scenes --picture--> errors, proven --curve--> ranges that keep the tolerance --export--> table, plot
+//!                                  '--timing--> times
+//! ```
+//! For each value the scene is drawn by each contender, and every pixel is compared with an interval that encloses the exact
+//! level. Where a contender ceases to keep the tolerance is then searched by bisection.
+
+pub mod curve;
+pub mod export;
+pub mod picture;
+mod plot;
+pub mod refined;
+pub mod variable;
+
+use std::path::Path;
+use std::time::Duration;
+
+use anyhow::ensure;
+use serde::Serialize;
+
+pub use self::curve::{Curve, Point};
+use self::picture::{Contender, Errors, errors};
+use self::variable::Variable;
+use crate::components::View;
+use crate::output::Monitor;
+use crate::output::finished;
+use crate::output::progress::with_bar;
+use crate::output::{self, one_line, print, say};
+use crate::questions::job::Drawing;
+use crate::questions::job::camera_name;
+use crate::questions::trade::batch::time_here;
+use crate::questions::trade::timing::of_batches;
+use crate::questions::trade::{self, is_timed};
+use crate::scene::key::Key;
+use crate::scene::unseen;
+use crate::scene::{Scene, SceneRecord};
+use crate::shading::limit;
+
+/// The files of a report.
+const FILES: [&str; 2] = ["vary.json", "vary.svg"];
+
+/// What is varied, and how.
+pub struct Request {
+    pub drawing: Drawing,
+    pub variables: Vec<Variable>,
+    pub contenders: Vec<Contender>,
+    /// The number of values of each variable, at least 2.
+    pub steps: usize,
+    /// How long the frames of all methods are timed in all; `None` times nothing.
+    pub time: Option<Duration>,
+}
+
+/// The curves of one variable, one for each contender.
+#[derive(Clone, Debug, Serialize)]
+pub struct Panel {
+    #[serde(flatten)]
+    pub variable: Variable,
+    pub curves: Vec<Curve>,
+    /// Whether no picture differs from the first: the key moves nothing.
+    pub is_still: bool,
+    /// Where the key is a camera's zoom, where each contender ceases to keep the tolerance as distances.
+    #[serde(skip)]
+    pub distances: Vec<String>,
+}
+
+/// The result of the command.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    pub scene: String,
+    pub camera: String,
+    pub size: [usize; 2],
+    /// The tolerance that is to be kept, in levels.
+    pub tolerance: f64,
+    pub keys: Vec<Panel>,
+}
+
+impl Request {
+    /// The scene with a value of a variable. Options of the command line are part of it.
+    fn scene(&self, variable: &Variable, value: f64) -> anyhow::Result<SceneRecord> {
+        let record = SceneRecord::of(&self.drawing.scene.world);
+        variable.scene(&record, value)
+    }
+
+    fn errors(&self, record: &SceneRecord, contenders: &[Contender]) -> anyhow::Result<Errors> {
+        let drawing = &self.drawing;
+        finished(errors(
+            record,
+            drawing.size,
+            contenders,
+            drawing.level,
+            true,
+            Monitor::NONE,
+        ))
+    }
+
+    /// The median times of a frame by contender, in milliseconds; `None` of what is no method or not timed.
+    async fn times(
+        &self,
+        record: &SceneRecord,
+        values: usize,
+        monitor: Monitor<'_>,
+    ) -> anyhow::Result<Vec<Option<f64>>> {
+        let Some(time) = self.time else {
+            return Ok(vec![None; self.contenders.len()]);
+        };
+        let timed = |it: &Contender| it.method.filter(|method| is_timed(*method));
+        let request = trade::Request {
+            drawing: Drawing {
+                scene: Scene::spawn(self.drawing.scene.name.clone(), record),
+                ..self.drawing
+            },
+            methods: self.contenders.iter().filter_map(timed).collect(),
+            time: time / values as u32,
+            is_report: false,
+        };
+        let batch = async |number| time_here(&request, number, monitor).await;
+        let mut timings = of_batches(batch, |_| ()).await?.into_iter();
+        let median = |it: &Contender| timed(it).and_then(|_| timings.next()).map(|it| it.median);
+        Ok(self.contenders.iter().map(median).collect())
+    }
+
+    /// Where the key is the zoom of the camera in use, the ends of the ranges as distances of the eye from its target, and as
+    /// heights of the cuboids in the picture.
+    fn distances(&self, variable: &Variable, curves: &[Curve]) -> anyhow::Result<Vec<String>> {
+        let camera = camera_name(&self.drawing.scene.world);
+        let mut says = Vec::new();
+        if variable.key
+            != Key::from("camera")
+                .child(&camera)
+                .child("orbit")
+                .child("zoom")
+        {
+            return Ok(says);
+        }
+        for curve in curves {
+            let inner = |end: &f64| *end != variable.from && *end != variable.to;
+            for end in curve.keeps.as_flattened().iter().filter(|end| inner(end)) {
+                let world = self.scene(variable, *end)?.spawn();
+                let view = View::of(&world, self.drawing.size);
+                let distance = (view.camera.target - view.camera.position).length();
+                says.push(format!(
+                    "{}: zoom {} is {} units from the target, where the cuboids are {:.0} pixels high.",
+                    curve.method,
+                    export::number(*end),
+                    export::number(distance),
+                    unseen::height(&world, &view)
+                ));
+            }
+        }
+        Ok(says)
+    }
+
+    /// Varies one key.
+    async fn panel(
+        &self,
+        variable: &Variable,
+        [done, all]: [usize; 2],
+        monitor: Monitor<'_>,
+    ) -> anyhow::Result<Panel> {
+        let values = variable.values(self.steps);
+        let evaluate = |value: &f64| self.errors(&self.scene(variable, *value)?, &self.contenders);
+        let step = "drawing and enclosing";
+        let found = monitor.in_parallel(step, &values, [done, all], evaluate);
+        let found = found.await?;
+        let mut times = Vec::new();
+        for (number, value) in values.iter().enumerate().filter(|_| self.time.is_some()) {
+            (monitor.progress)("timing frames", number as f64 / values.len() as f64);
+            let record = self.scene(variable, *value)?;
+            times.push(self.times(&record, values.len(), monitor).await?);
+        }
+        let limit = limit(self.drawing.view().tolerance);
+        let mut curves = Vec::new();
+        for (index, contender) in self.contenders.iter().enumerate() {
+            let point = |(place, value): (usize, &f64)| Point {
+                value: *value,
+                error: found[place].of[index].error,
+                own_error: found[place].of[index].own_error,
+                milliseconds: times.get(place).and_then(|times| times[index]),
+            };
+            let points = values.iter().enumerate().map(point).collect();
+            let mut keeps = |value: f64| {
+                monitor.check()?;
+                let record = self.scene(variable, value)?;
+                let found = self.errors(&record, std::slice::from_ref(contender))?;
+                Ok(found.of[0].error[1] <= limit)
+            };
+            curves.push(Curve::new(contender, variable, points, limit, &mut keeps)?);
+            monitor.rest().await;
+        }
+        Ok(Panel {
+            distances: self.distances(variable, &curves)?,
+            variable: variable.clone(),
+            curves,
+            is_still: found.iter().all(|it| it.hash == found[0].hash),
+        })
+    }
+}
+
+/// Varies every key of the request.
+///
+/// # Errors
+/// If a value makes no scene, a picture does not fit in memory, or the work is cancelled.
+pub async fn measure(request: &Request, monitor: Monitor<'_>) -> anyhow::Result<Report> {
+    let counts = request.variables.iter();
+    let counts = counts.map(|it| it.values(request.steps).len());
+    let all = counts.sum();
+    let (mut keys, mut done) = (Vec::new(), 0);
+    for variable in &request.variables {
+        let panel = request.panel(variable, [done, all], monitor).await?;
+        done += variable.values(request.steps).len();
+        keys.push(panel);
+    }
+    let drawing = &request.drawing;
+    Ok(Report {
+        scene: drawing.scene.name.clone(),
+        camera: camera_name(&drawing.scene.world),
+        size: drawing.size,
+        tolerance: drawing.view().tolerance,
+        keys,
+    })
+}
+
+/// The command: varies, prints the ranges, and writes the files into the folder `out` if there is one.
+///
+/// # Errors
+/// If nothing can be varied, or a file cannot be written.
+pub fn run(request: &Request, out: Option<&Path>, as_json: bool) -> anyhow::Result<()> {
+    if let Some(folder) = out {
+        crate::output::files::make_folder(folder)?;
+    }
+    ensure!(!request.variables.is_empty(), "no key is varied");
+    let report = with_bar(async |monitor| measure(request, monitor).await)?;
+    print(&report, as_json, None, || export::text(&report))?;
+    for panel in report.keys.iter().filter(|panel| panel.is_still) {
+        say(&format!(
+            "{} does not change the picture",
+            panel.variable.key
+        ));
+    }
+    if let Some(folder) = out {
+        let texts = [output::json(&report)?, plot::svg(&report)?];
+        let files: Vec<_> = FILES.into_iter().zip(texts).collect();
+        output::write_texts(folder, &files)?;
+        say(&format!(
+            "wrote vary.json and vary.svg into {}",
+            one_line(folder)
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,112 @@
+//! The ranges in which contenders keep the tolerance, as text for a terminal.
+
+use super::curve::Curve;
+use super::{Panel, Report};
+use crate::components::ShadingMode;
+use crate::output::tables::{aligned, wrapped};
+use crate::output::words::{capital, rounded, short};
+use crate::questions::trade::verdict::method_name;
+use crate::shading::{METHODS, limit};
+
+const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the tolerance, which is 0.05 if it is 0; a \
+    ? where f64 does not suffice to refute the rest. Errors are upper bounds, in levels of 255. own: against the method's own definition. \
+    textbook-f32: the formula in f32 throughout; reference: in f64.";
+
+/// A number with four digits at most.
+pub fn number(value: f64) -> String {
+    let rounded = rounded(value, 3);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        1e-3..1e6 => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+/// The name of a contender in a sentence.
+fn name(id: &str) -> String {
+    let mut methods = METHODS.iter();
+    let method = methods.find(|it| it.id == id && it.mode != ShadingMode::UnitVectors);
+    capital(&method.map_or_else(|| id.to_owned(), |it| method_name(*it)))
+}
+
+/// A table and a sentence for each key.
+pub fn text(report: &Report) -> String {
+    let parts = report
+        .keys
+        .iter()
+        .map(|panel| of_panel(panel, limit(report.tolerance)));
+    let parts: Vec<String> = parts.collect();
+    format!("{}\n\n{}", parts.join("\n\n"), wrapped(LEGEND))
+}
+
+fn of_panel(panel: &Panel, limit: f64) -> String {
+    let variable = &panel.variable;
+    let [from, to] = [variable.from, variable.to].map(number);
+    let at = [&from, &to].map(|end| format!("at {end}"));
+    let keeps = format!("keeps {limit}");
+    let has_times = panel.curves.iter().any(|it| it.milliseconds().is_some());
+    let mut head = vec!["method", &keeps, &at[0], &at[1], "own"];
+    head.extend(has_times.then_some("ms"));
+    let rows = panel.curves.iter().map(|curve| {
+        let doubt = if curve.is_undecided && curve.has_end() {
+            " ?"
+        } else {
+            ""
+        };
+        let ends = [curve.points.first(), curve.points.last()];
+        let [first, last] = ends.map(|it| short(it.map(|it| it.error[1])));
+        let own = curve
+            .points
+            .iter()
+            .map(|it| it.own_error[1])
+            .fold(0.0, f64::max);
+        let times = has_times.then(|| {
+            let ends = curve.milliseconds();
+            ends.map_or_else(|| "-".to_owned(), |ends| ends.map(short).join(" to "))
+        });
+        let cells = [
+            curve.method.to_owned(),
+            curve.kept(number) + doubt,
+            first,
+            last,
+            short(own),
+        ];
+        cells.into_iter().chain(times)
+    });
+    let table = aligned(&head, rows);
+    // The table has those that keep it everywhere or nowhere.
+    let key = &variable.key;
+    let ends = panel.curves.iter().filter(|it| it.has_end());
+    let says = ends.map(|curve| {
+        let place = curve.kept(|value| format!("{key} {}", number(value)));
+        format!("{} keeps {} {place}.", name(curve.method), levels(limit))
+    });
+    let says: Vec<String> = says.chain(panel.distances.clone()).collect();
+    let text = format!("{key} from {from} to {to}\n\n{table}");
+    if says.is_empty() {
+        return text;
+    }
+    format!("{text}\n\n{}", wrapped(&says.join(" ")))
+}
+
+fn levels(limit: f64) -> String {
+    match limit {
+        0.5 => "half a level".to_owned(),
+        1.0 => "1 level".to_owned(),
+        _ => format!("{limit} levels"),
+    }
+}
+
+impl Curve {
+    /// Whether the tolerance is kept in a part of the range.
+    fn has_end(&self) -> bool {
+        !["everywhere", "nowhere"].contains(&self.kept(number).as_str())
+    }
+
+    /// The least and the largest time of a frame, if times were measured.
+    pub fn milliseconds(&self) -> Option<[f64; 2]> {
+        let times = || self.points.iter().filter_map(|it| it.milliseconds);
+        let least = times().reduce(f64::min)?;
+        Some([least, times().fold(least, f64::max)])
+    }
+}
