@@ -13,8 +13,6 @@ pub mod app;
 pub mod canvas;
 pub mod chart;
 pub mod choice;
-#[cfg(not(target_family = "wasm"))]
-pub mod clipboard;
 pub mod comparison;
 pub mod controls;
 pub mod desk;
@@ -37,8 +35,6 @@ pub mod pictures;
 mod run;
 pub mod study;
 mod tags;
-#[cfg(not(target_family = "wasm"))]
-mod taps;
 pub mod unsaved;
 pub mod varied;
 mod viewport;

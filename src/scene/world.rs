@@ -1,6 +1,6 @@
 //! Spawns a record as a [`World`], and takes a record from a world.
 
-use hecs::{Query, World};
+use hecs::World;
 
 use super::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 use crate::components::{
@@ -68,32 +68,6 @@ fn view(world: &World, cameras: &[CameraRecord]) -> Viewer {
     view
 }
 
-impl CuboidRecord {
-    fn is_of(&self, (name, at, mesh, material, shading, normals, segments): CuboidParts) -> bool {
-        self.name == name.0
-            && self.size == mesh.size()
-            && self.position == at.position
-            && self.rotation == at.rotation
-            && self.shading == *shading
-            && self.normals == *normals
-            && self.segments == *segments
-            && self.material == *material
-    }
-}
-
-/// Whether the entities that a query finds have these records.
-fn are_of<Q: Query, T>(
-    records: &[T],
-    world: &World,
-    is_of: impl for<'a> Fn(&T, Q::Item<'a>) -> bool,
-) -> bool {
-    let mut query = world.query::<(&FileOrder, Q)>();
-    let mut entities = query.iter();
-    let record = |order: &FileOrder| records.get(order.0 as usize);
-    entities.len() == records.len()
-        && entities.all(|(order, parts)| record(order).is_some_and(|it| is_of(it, parts)))
-}
-
 impl SceneRecord {
     /// The record of a world. It does not tell whether the cuboids keep turning.
     ///
@@ -108,19 +82,6 @@ impl SceneRecord {
             view: view(world, &cameras),
             camera: cameras,
         }
-    }
-
-    /// Whether this is the record of a world, from which no entity was removed. It is asked in each step of the window, so it
-    /// copies no cuboids.
-    ///
-    /// # Panics
-    /// As [`SceneRecord::of`].
-    pub fn is_of(&self, world: &World) -> bool {
-        are_of::<CuboidParts, _>(&self.cuboid, world, CuboidRecord::is_of)
-            && are_of::<LightParts, _>(&self.light, world, |it, parts| *it == light(parts))
-            && are_of::<CameraParts, _>(&self.camera, world, |it, parts| *it == camera(parts))
-            && self.background == background(world)
-            && self.view == view(world, &self.camera)
     }
 
     /// The world of this record.

@@ -365,18 +365,14 @@ impl App {
                 let size = self.canvas.size();
                 controls::step_back(&mut self.document.scene.world, size);
             }
-            Command::Open(scene) => match self.document.choose(*scene) {
-                Ok(message) => {
+            Command::Open(scene) => match self.document.write_edits() {
+                Ok(()) => {
+                    self.document.open(*scene);
                     self.show_document();
-                    self.desk.say_any(message);
                 }
                 Err(error) => self.desk.say(format!("not opened: {error:#}")),
             },
-            Command::RestoreEdits => {
-                if let Err(error) = self.document.restore_edits(now) {
-                    self.desk.say(format!("not restored: {error:#}"));
-                }
-            }
+            Command::RestoreEdits => self.document.restore_edits(now),
             Command::DiscardEdits => {
                 if let Err(error) = self.document.discard_edits() {
                     self.desk.say(format!("not discarded: {error:#}"));
@@ -390,7 +386,7 @@ impl App {
     /// # Errors
     /// If it must close and the edits cannot be written.
     pub fn may_close(&mut self, must: bool) -> anyhow::Result<bool> {
-        let closed = self.document.close();
+        let closed = self.document.write_edits();
         if let (Err(error), false) = (&closed, must) {
             self.desk.quits = false;
             self.desk.say(format!("not closed: {error:#}"));

@@ -1,7 +1,7 @@
 //! Opens a window with minifb 0.29, gathers its events and shows pixels. Works around the faults of minifb.
 //!
-//! Keys come through a callback, because polling loses taps. The button can only be polled, and `Taps` finds the clicks
-//! between two polls. A window that another program destroys ends this one inside Xlib.
+//! Keys come through a callback, because polling loses taps. The button can only be polled, so a click between two polls is
+//! lost. A window that another program destroys ends this one inside Xlib.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -11,9 +11,7 @@ use egui::{Event, PointerButton, Pos2};
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
-use super::clipboard::Clipboard;
 use super::input::{Input, KeyReport};
-use super::taps::{self, Taps};
 
 /// One notch of the wheel, as each window system reports it.
 const NOTCH: f32 = if cfg!(windows) {
@@ -38,14 +36,13 @@ pub struct Display {
     reports: Rc<RefCell<Vec<KeyReport>>>,
     /// Events that were not taken yet, in pixels of the window.
     pub input: Input,
-    pub clipboard: Clipboard,
+    /// It is opened when it is used first, because closing it takes a second.
+    clipboard: Option<arboard::Clipboard>,
     is_wayland: bool,
     is_active: bool,
     mouse: Option<Pos2>,
     /// Whether the left button is down; no other one is used.
     is_pressed: bool,
-    /// `None` where clicks between two polls are not known, as on Wayland.
-    taps: Option<Taps>,
     /// Turns of the wheel that make no whole notch yet.
     wheel: f32,
 }
@@ -82,20 +79,15 @@ impl Display {
         let reports = Rc::new(RefCell::new(Vec::new()));
         window.set_input_callback(Box::new(Reporter(Rc::clone(&reports))));
         let handle = window.window_handle().map(|it| it.as_raw());
-        let taps = match handle {
-            Ok(RawWindowHandle::Xlib(handle)) => u32::try_from(handle.window).ok(),
-            _ => None,
-        };
         Ok(Display {
             window,
             reports,
             input: Input::default(),
-            clipboard: Clipboard::default(),
+            clipboard: None,
             is_wayland: matches!(handle, Ok(RawWindowHandle::Wayland(_))),
             is_active: false,
             mouse: None,
             is_pressed: false,
-            taps: taps.and_then(Taps::over),
             wheel: 0.0,
         })
     }
@@ -111,7 +103,6 @@ impl Display {
     /// # Errors
     /// If the window system refuses them.
     pub fn present(&mut self, pixels: &[u32], [width, height]: [usize; 2]) -> anyhow::Result<()> {
-        self.taps.iter_mut().for_each(Taps::read);
         let result = self.window.update_with_buffer(pixels, width, height);
         self.gather();
         result.context("cannot show the picture")
@@ -119,9 +110,18 @@ impl Display {
 
     /// Gathers events without showing anything.
     pub fn poll(&mut self) {
-        self.taps.iter_mut().for_each(Taps::read);
         self.window.update();
         self.gather();
+    }
+
+    /// The clipboard of the system.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn clipboard(&mut self) -> anyhow::Result<&mut arboard::Clipboard> {
+        let opened = self.clipboard.take();
+        let opened = opened.map_or_else(arboard::Clipboard::new, Ok)?;
+        Ok(self.clipboard.insert(opened))
     }
 
     /// Whether a key or a button is down.
@@ -145,14 +145,12 @@ impl Display {
             self.gather_wheel();
         }
         self.gather_mouse(is_pressed);
-        let was_pressed = std::mem::replace(&mut self.is_pressed, is_pressed);
-        let taps = self.taps.as_mut();
-        let missed = taps.map_or(0, |taps| taps.missed(has_changed && is_pressed));
-        for pressed in taps::changes(was_pressed, missed, is_pressed) {
+        self.is_pressed = is_pressed;
+        if has_changed {
             self.input.events.push(Event::PointerButton {
                 pos: self.mouse.unwrap_or_default(),
                 button: PointerButton::Primary,
-                pressed,
+                pressed: is_pressed,
                 modifiers: self.input.modifiers,
             });
         }

@@ -8,8 +8,7 @@
 //! The World is the only state of the scene and of how it is looked at. A change is a difference between two
 //! [`SceneRecord`]s, whatever made it. A function returns the message for the status line.
 
-use std::cell::RefCell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -19,7 +18,7 @@ use super::file::SceneFile;
 use super::history::{State, history};
 use super::unsaved::Unsaved;
 use crate::components::{Name, Orbit, viewer, viewer_mut};
-use crate::output::{self, quoted};
+use crate::output::quoted;
 use crate::scene::key;
 use crate::scene::{Scene, SceneRecord};
 
@@ -30,8 +29,6 @@ pub struct Document {
     pub state: Arc<SceneRecord>,
     pub history: Undoer<State>,
     pub file: SceneFile,
-    /// The last two states that were compared, and whether the first has edits that the second lacks.
-    compared: RefCell<([Arc<SceneRecord>; 2], bool)>,
     /// `None` where edits are not kept.
     pub(super) unsaved: Option<Unsaved>,
     /// Files without a path of their own are written here.
@@ -49,7 +46,6 @@ impl Document {
         Document {
             history: history(&state),
             file: SceneFile::of(&scene),
-            compared: RefCell::new(([(); 2].map(|()| Arc::clone(&state)), false)),
             unsaved: None,
             folder: PathBuf::from("."),
             step: 0,
@@ -61,51 +57,22 @@ impl Document {
 
     /// Shows another scene in place of this one.
     pub fn open(&mut self, scene: Scene) {
-        let (unsaved, folder) = (self.unsaved.take(), self.folder.clone());
-        *self = Document {
-            unsaved,
-            folder,
-            ..Document::of(scene)
-        };
-        self.follow_scene();
-    }
-
-    /// Shows the scene that the user chose; edits of the one before stay in their file.
-    ///
-    /// # Errors
-    /// If these cannot be written. The scene before stays.
-    pub fn choose(&mut self, scene: Scene) -> anyhow::Result<Option<String>> {
-        let path = self.write_edits()?;
-        self.open(scene);
-        Ok(path.as_deref().map(told))
+        let before = std::mem::replace(self, Document::of(scene));
+        self.folder = before.folder;
+        if let Some(unsaved) = before.unsaved {
+            self.keep_edits(&unsaved.folder);
+        }
     }
 
     /// Whether the scene was edited since it was saved. It is asked in each step.
     pub fn is_edited(&self) -> bool {
-        let (states, is_edited) = &mut *self.compared.borrow_mut();
-        let present = [&self.state, &self.file.saved];
-        if !(0..2).all(|it| Arc::ptr_eq(&states[it], present[it])) {
-            *is_edited = has_edits(&self.state, &self.file.saved);
-            *states = present.map(Arc::clone);
-        }
-        *is_edited
+        has_edits(&self.state, &self.file.saved)
     }
 
     /// The title of the window.
     pub fn title(&self) -> String {
         let star = if self.is_edited() { "*" } else { "" };
         format!("{}{star} - shadetrade", self.scene.name)
-    }
-
-    /// Writes unsaved edits before the window closes, and tells their file.
-    ///
-    /// # Errors
-    /// If they cannot be written.
-    pub fn close(&mut self) -> anyhow::Result<()> {
-        if let Some(path) = self.write_edits()? {
-            output::say(&told(&path));
-        }
-        Ok(())
     }
 
     /// Puts the World into another state. Cuboids that turn keep turning.
@@ -117,9 +84,6 @@ impl Document {
 
     /// Notes the state that keys and widgets made. One that no scene may have is taken back, and the reason returned.
     pub fn note(&mut self) -> Option<String> {
-        if self.state.is_of(&self.scene.world) {
-            return None;
-        }
         let record = SceneRecord::of(&self.scene.world);
         if record == *self.state {
             return None;
@@ -165,16 +129,13 @@ impl Document {
         format!("{verb}: {}", change(&present.0, &record))
     }
 
-    /// Shows the scene as a later step of its lesson has it. Edits of the step before are offered.
+    /// Shows the scene as a later step of its lesson has it. Undo brings edits of the step before back.
     pub fn step_lesson(&mut self, steps: isize) -> Option<String> {
         let lesson = Arc::clone(&self.scene.lesson);
         let place = self.step.checked_add_signed(steps);
         let Some((place, step)) = place.and_then(|place| Some((place, lesson.get(place)?))) else {
             return Some("the lesson has no such step".to_owned());
         };
-        if let Err(error) = self.offer_edits() {
-            return Some(format!("the lesson waits: {error:#}"));
-        }
         self.restore(&step.record);
         // A step is no edit.
         self.file.saved = Arc::clone(&step.record);
@@ -186,7 +147,6 @@ impl Document {
     /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
     pub fn reload(&mut self, mut scene: Scene) -> String {
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
-        let offered = self.offer_edits();
         let find = |record: &SceneRecord, name: &str| {
             let own = record.camera.iter().find(|it| it.name == name);
             own.map(|it| it.orbit)
@@ -210,11 +170,10 @@ impl Document {
         self.file.new_name = new_name;
         let lesson = Arc::clone(&self.scene.lesson);
         self.scene = Scene { lesson, ..scene };
-        match offered {
-            Err(error) => format!("read the file again; {error:#}"),
-            Ok(()) if had_edits => "read the file again; Ctrl Z brings your edits back".to_owned(),
-            Ok(()) => "read the file again".to_owned(),
+        if had_edits {
+            return "read the file again; Ctrl Z brings your edits back".to_owned();
         }
+        "read the file again".to_owned()
     }
 
     /// Saves the scene, to a new file if `new`, and names it.
@@ -230,13 +189,6 @@ impl Document {
             Err(error) => format!("saved {}; {error:#}", quoted(&self.scene.name)),
         })
     }
-}
-
-fn told(path: &Path) -> String {
-    let path = path.display();
-    format!(
-        "the changes that were not saved are in {path} and offered when the scene is opened again"
-    )
 }
 
 /// The key of the values that differ, in words.

@@ -83,26 +83,14 @@ impl App {
         self.note_changes();
     }
 
-    /// The part of the picture that the drawer covers, away from the explained pixel: a side, or where that is too narrow the
-    /// lower or upper half. `None` while there is no drawer.
+    /// The part of the picture that the drawer covers. `None` while there is no drawer.
     pub(super) fn drawer_place(&self) -> Option<Rect> {
         if self.desk.has_room || self.desk.tab.is_none() {
             return None;
         }
-        let (picture, middle) = (self.canvas.place, self.canvas.place.center());
-        let pixel = self
-            .pixel()
-            .map_or(picture.min, |it| self.canvas.place_of(it));
-        let half = picture.width() / 2.0;
-        let width = USUAL.min(half);
-        Some(
-            match (half < LEAST, pixel.x > middle.x, pixel.y > middle.y) {
-                (true, _, false) => picture.with_min_y(middle.y),
-                (true, _, true) => picture.with_max_y(middle.y),
-                (false, false, _) => picture.with_min_x(picture.max.x - width),
-                (false, true, _) => picture.with_max_x(picture.min.x + width),
-            },
-        )
+        let picture = self.canvas.place;
+        let usual = (picture.width() / 2.0).clamp(LEAST, USUAL);
+        Some(picture.with_min_x((picture.max.x - usual).max(picture.min.x)))
     }
 
     /// Lays out the inspector over the picture.

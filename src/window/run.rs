@@ -11,13 +11,13 @@ use egui::{Event, RawInput};
 use super::app::App;
 use super::display::Display;
 use super::study::Background;
-use super::unsaved;
+use super::unsaved::state_folder;
 use crate::questions::job::Drawing;
 
 /// The time between two polls while the user does something, so that short clicks are seen.
 const BUSY_PAUSE: Duration = Duration::from_millis(2);
 /// The time between two polls while nothing happens.
-const IDLE_PAUSE: Duration = Duration::from_millis(16);
+const IDLE_PAUSE: Duration = Duration::from_millis(8);
 /// How long after the last event the user counts as busy.
 const BUSY_TIME: Duration = Duration::from_secs(1);
 /// The pixels are shown again after this time even if nothing has changed, because the system does not say when another window
@@ -34,7 +34,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
     let mut display = Display::open("shadetrade", drawing.size)?;
     let mut app = App::new(drawing, Background::Threads)?;
     let start = Instant::now();
-    app.document.keep_edits(unsaved::user_folders());
+    app.document.keep_edits(&state_folder());
     let (mut title, mut window) = (String::new(), [0, 0]);
     let (mut due, mut last_event, mut present_again) =
         (Duration::ZERO, Duration::ZERO, Duration::ZERO);
@@ -52,15 +52,12 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
         }
         let now = start.elapsed();
         if std::mem::take(&mut display.input.pastes) {
-            display.clipboard.read(now);
-        }
-        match display.clipboard.receive(now) {
-            Some(Ok(text)) => display.input.events.push(Event::Paste(text)),
-            Some(Err(error)) => {
-                app.desk.say(format!("not pasted: {error:#}"));
-                due = now;
+            let text = display.clipboard().and_then(|it| Ok(it.get_text()?));
+            match text {
+                Ok(text) => display.input.events.push(Event::Paste(text)),
+                Err(error) => app.desk.say(format!("not pasted: {error:#}")),
             }
-            None => {}
+            due = now;
         }
         let has_events = !display.input.events.is_empty();
         if has_events {
@@ -81,7 +78,7 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
                 display.window.set_title(&title);
             }
             if let Some(text) = output.copied
-                && let Err(error) = display.clipboard.copy(text)
+                && let Err(error) = display.clipboard().and_then(|it| Ok(it.set_text(text)?))
             {
                 app.desk.say(format!("not copied: {error:#}"));
             }

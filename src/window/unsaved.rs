@@ -2,187 +2,88 @@
 //! they are saved or undone.
 //!
 //! ```text
-//!        2 s                        the program ends
-//! edits -----> SCENE-unsaved.toml ------------------> offer --restore--> edits; the file is this window's
-//!                   '--saved, undone--> removed         '----discard--> removed
+//!        2 s                     the program ends
+//! edits -----> file of the scene -----------------> offer --restore--> edits
+//!                  '--saved, undone--> removed        '----discard--> removed
 //! ```
-//! The file lies beside the scene's; that of a built-in scene, and one that cannot lie there, in a folder of the user's. A
-//! window locks its files while it runs, so that no other window offers, replaces or removes them.
+//! Each scene has one file in the user's state folder. Of two windows on one scene the last writer stays.
 
-use std::path::{Component, Path, PathBuf, absolute};
+use std::env;
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
-use std::{env, mem};
 
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use egui::{Align2, Area, Frame, Order, Rect, Ui};
 use indicatif::HumanDuration;
 use web_time::SystemTime;
 
 use super::desk::{Command, Desk};
 use super::document::{Document, has_edits};
-use super::file::{numbered, stem};
 use crate::output::Output;
-use crate::output::files::{self, Lock, write_numbered};
+use crate::output::files;
 use crate::scene::{self, Scene, SceneRecord};
 
 /// The time from a change to its file.
 const DELAY: Duration = Duration::from_secs(2);
 
-/// The files of a scene's edits.
+/// The file of a scene's edits.
 pub struct Unsaved {
-    /// The folder of the scene's file.
-    beside: Option<PathBuf>,
-    /// Folders of the user's. The first is taken in which files can be written.
-    roots: Vec<PathBuf>,
-    /// The place of the scene within them.
-    inside: PathBuf,
-    /// The name of the files, without number and ending.
-    stem: String,
-    /// The file of this window's edits, and the state that it holds.
-    own: Option<(Locked, Arc<SceneRecord>)>,
-    /// From windows that ended, the newest last.
-    offers: Vec<Offer>,
+    /// The folder of all such files.
+    pub(super) folder: PathBuf,
+    path: PathBuf,
+    /// The state in the file; `None` while it holds no edits of this window.
+    written: Option<Arc<SceneRecord>>,
+    /// The edits of a window that ended, and when they were written.
+    offer: Option<(Arc<SceneRecord>, SystemTime)>,
     /// When the edits are to be written.
     due: Option<Duration>,
     /// Whether they could not be written the last time.
     has_failed: bool,
 }
 
-/// Edits that can be restored.
-struct Offer {
-    file: Locked,
-    state: Arc<SceneRecord>,
-    written: SystemTime,
-}
-
-/// A file that other windows leave alone.
-struct Locked {
-    path: PathBuf,
-    _lock: Lock,
-}
-
-impl Locked {
-    /// `None` if there is no such file, or if another window has it.
-    fn new(path: PathBuf) -> Option<Self> {
-        let lock = files::lock(&path)?;
-        Some(Locked { path, _lock: lock })
-    }
-}
-
-impl Offer {
-    fn read(path: PathBuf) -> Option<Self> {
-        // Where locks are mandatory, a locked file cannot be read again.
-        let scene = Scene::load_path(&path).ok()?;
-        let file = Locked::new(path)?;
-        Some(Offer {
-            state: Arc::new(SceneRecord::of(&scene.world)),
-            written: files::stamp(&file.path)?.0,
-            file,
-        })
-    }
-}
-
-/// Folders of the user's in which programs keep their state.
-pub fn user_folders() -> Vec<PathBuf> {
+/// The folder of the user's in which the program keeps its state.
+pub fn state_folder() -> PathBuf {
     let set = env::var_os("XDG_STATE_HOME").map(PathBuf::from);
     let home = || Some(env::home_dir()?.join(".local/state"));
     let state = set.filter(|path| path.is_absolute()).or_else(home);
-    let all = state.into_iter().chain([env::temp_dir()]);
-    all.map(|folder| folder.join("shadetrade")).collect()
+    state.unwrap_or_else(env::temp_dir).join("shadetrade")
 }
 
-impl Unsaved {
-    /// Looks for edits of a scene that no window has.
-    fn of(scene: &Scene, roots: Vec<PathBuf>) -> Self {
-        let path = scene.path.as_deref().and_then(|path| absolute(path).ok());
-        let name = path.clone();
-        let name = name.unwrap_or_else(|| Path::new("built-in").join(&scene.name));
-        let folders = name.parent().into_iter().flat_map(Path::components);
-        let mut unsaved = Unsaved {
-            beside: path.as_deref().and_then(Path::parent).map(Path::to_owned),
-            roots,
-            inside: folders
-                .filter(|it| matches!(it, Component::Normal(_)))
-                .collect(),
-            stem: format!("{}-unsaved", stem(&name)),
-            own: None,
-            offers: Vec::new(),
-            due: None,
-            has_failed: false,
-        };
-        let paths = unsaved.folders();
-        let paths = paths.flat_map(|folder| files::in_folder(&folder));
-        let own = paths.filter(|path| unsaved.is_named(path));
-        unsaved.offers = own.filter_map(Offer::read).collect();
-        unsaved.offers.sort_by_key(|offer| offer.written);
-        unsaved
+/// The file of a scene's edits: the path of the scene, within `folder`.
+fn file_of(scene: &Scene, folder: &Path) -> PathBuf {
+    let mut name = match &scene.path {
+        Some(path) => path.canonicalize().unwrap_or_else(|_| path.clone()),
+        None => Path::new("built-in").join(&scene.name),
     }
-
-    /// The folders in which its files may be, in the order in which they are tried.
-    fn folders(&self) -> impl Iterator<Item = PathBuf> {
-        let in_roots = self.roots.iter().map(|root| root.join(&self.inside));
-        self.beside.iter().cloned().chain(in_roots)
-    }
-
-    /// Whether a file has the name of edits, perhaps with a number.
-    fn is_named(&self, path: &Path) -> bool {
-        let name = path.file_name().and_then(|name| name.to_str());
-        let rest = name.and_then(|name| name.strip_prefix(&self.stem)?.strip_suffix(".toml"));
-        rest.is_some_and(|rest| {
-            let number = rest.strip_prefix('-').map(str::parse::<u32>);
-            rest.is_empty() || matches!(number, Some(Ok(_)))
-        })
-    }
-
-    /// Whether its file holds the edits of a state.
-    fn holds(&self, state: &SceneRecord) -> bool {
-        let own = self.own.as_ref();
-        own.is_some_and(|(file, held)| !has_edits(state, held) && files::is_file(&file.path))
-    }
-
-    /// Writes a state into its file, or into a new one if that is not possible.
-    fn write(&mut self, state: &Arc<SceneRecord>, text: &str) -> anyhow::Result<()> {
-        let own = self.own.take().map(|(file, _)| file);
-        let own = own.filter(|file| Output::File(file.path.clone()).write(text).is_ok());
-        let path = match own {
-            Some(file) => file.path,
-            None => self.write_new(text)?,
-        };
-        self.own = Locked::new(path).map(|file| (file, Arc::clone(state)));
-        self.has_failed = false;
-        Ok(())
-    }
-
-    fn write_new(&self, text: &str) -> anyhow::Result<PathBuf> {
-        let name = |number| numbered(&self.stem, number);
-        let mut failed = None;
-        for folder in self.folders() {
-            if self.beside.as_ref() != Some(&folder) {
-                // If this fails, so does the next.
-                let _ = files::make_folders(&folder);
-            }
-            match write_numbered(&folder, name, text.as_bytes()) {
-                Ok(path) => return Ok(path),
-                Err(error) => failed = failed.or(Some(error)),
-            }
-        }
-        Err(failed.unwrap_or_else(|| anyhow!("there is no folder for them")))
-    }
+    .into_os_string();
+    name.push("-unsaved.toml");
+    let parts = Path::new(&name).components();
+    let inside = parts.filter(|part| matches!(part, Component::Normal(_)));
+    folder.join(inside.collect::<PathBuf>())
 }
 
 impl Document {
-    /// Keeps unsaved edits in files from now on, where they cannot lie beside the scene in one of these folders; and offers
-    /// those of windows that ended.
-    pub fn keep_edits(&mut self, roots: Vec<PathBuf>) {
-        self.unsaved = Some(Unsaved::of(&self.scene, roots));
+    /// Keeps unsaved edits in `folder` from now on, and offers those that are there.
+    pub fn keep_edits(&mut self, folder: &Path) {
+        let path = file_of(&self.scene, folder);
+        let offer = Scene::load_path(&path)
+            .ok()
+            .and_then(|scene| Some((scene.record, files::stamp(&path)?.0)));
+        self.unsaved = Some(Unsaved {
+            folder: folder.to_owned(),
+            path,
+            written: None,
+            offer,
+            due: None,
+            has_failed: false,
+        });
     }
 
-    /// Goes to the files of the scene that is open now.
+    /// Goes to the file of the scene that is open now.
     pub(super) fn follow_scene(&mut self) {
-        // The locks end first: it may be the same scene.
-        if let Some(roots) = self.unsaved.take().map(|unsaved| unsaved.roots) {
-            self.keep_edits(roots);
+        if let Some(unsaved) = &mut self.unsaved {
+            unsaved.path = file_of(&self.scene, &unsaved.folder);
         }
     }
 
@@ -197,15 +98,18 @@ impl Document {
         let Some(unsaved) = &mut self.unsaved else {
             return Ok(());
         };
-        if unsaved.holds(&self.state) {
+        let written = unsaved.written.as_deref();
+        if written.is_some_and(|written| !has_edits(&self.state, written)) {
             unsaved.due = None;
-        } else if now >= *unsaved.due.get_or_insert(now + DELAY) {
-            unsaved.due = Some(now + DELAY);
-            let was_told = mem::replace(&mut unsaved.has_failed, true);
-            let written = self.write_edits().map(drop);
-            return if was_told { Ok(()) } else { written };
+            return Ok(());
         }
-        Ok(())
+        if now < *unsaved.due.get_or_insert(now + DELAY) {
+            return Ok(());
+        }
+        unsaved.due = Some(now + DELAY);
+        let was_told = std::mem::replace(&mut unsaved.has_failed, true);
+        let result = self.write_edits();
+        if was_told { Ok(()) } else { result }
     }
 
     /// When the edits are to be written.
@@ -213,21 +117,25 @@ impl Document {
         self.unsaved.as_ref().and_then(|unsaved| unsaved.due)
     }
 
-    /// Writes unsaved edits at once. Returns their file.
+    /// Writes unsaved edits at once.
     ///
     /// # Errors
-    /// If there is no folder for them.
-    pub fn write_edits(&mut self) -> anyhow::Result<Option<PathBuf>> {
+    /// If they cannot be written.
+    pub fn write_edits(&mut self) -> anyhow::Result<()> {
         let is_edited = self.is_edited();
-        let Some(unsaved) = self.unsaved.as_mut().filter(|_| is_edited) else {
-            return Ok(None);
+        let Some(unsaved) = &mut self.unsaved else {
+            return Ok(());
         };
-        if !unsaved.holds(&self.state) {
+        if is_edited {
             let text = scene::updated(&self.scene.text, &self.state);
-            let written = unsaved.write(&self.state, &text);
-            written.context("the changes that are not saved cannot be written to a file")?;
+            files::make_folders(files::folder_of(&unsaved.path))
+                .map_err(anyhow::Error::from)
+                .and_then(|()| Output::File(unsaved.path.clone()).write(&text))
+                .context("the changes that are not saved cannot be written to a file")?;
+            unsaved.written = Some(Arc::clone(&self.state));
+            unsaved.has_failed = false;
         }
-        Ok(unsaved.own.as_ref().map(|(file, _)| file.path.clone()))
+        Ok(())
     }
 
     /// Removes the file of edits that are saved or undone.
@@ -235,64 +143,50 @@ impl Document {
     /// # Errors
     /// If it cannot be removed.
     pub(super) fn forget_edits(&mut self) -> anyhow::Result<()> {
-        let own = self.unsaved.as_mut().and_then(|unsaved| {
-            unsaved.due = None;
-            unsaved.own.take()
-        });
-        own.map_or(Ok(()), |(file, _)| files::remove(&file.path))
-    }
-
-    /// Makes an offer of the present edits, before another state takes their place.
-    ///
-    /// # Errors
-    /// As [`Document::write_edits`].
-    pub(super) fn offer_edits(&mut self) -> anyhow::Result<()> {
-        self.write_edits()?;
-        if let Some(unsaved) = &mut self.unsaved {
-            let own = unsaved.own.take();
-            unsaved.offers.extend(own.map(|(file, state)| Offer {
-                file,
-                state,
-                written: SystemTime::now(),
-            }));
+        let Some(unsaved) = &mut self.unsaved else {
+            return Ok(());
+        };
+        unsaved.due = None;
+        match unsaved.written.take() {
+            Some(_) => files::remove(&unsaved.path),
+            None => Ok(()),
         }
-        Ok(())
     }
 
-    /// Shows the edits that are offered. Those of this window are offered then.
-    ///
-    /// # Errors
-    /// As [`Document::write_edits`].
-    pub fn restore_edits(&mut self, now: Duration) -> anyhow::Result<()> {
-        let offers = self.unsaved.as_ref().map(|unsaved| unsaved.offers.len());
-        self.offer_edits()?;
-        if let (Some(unsaved), Some(count)) = (&mut self.unsaved, offers) {
-            let Offer { file, state, .. } = unsaved.offers.remove(count - 1);
-            unsaved.own = Some((file, Arc::clone(&state)));
+    /// Shows the edits that are offered.
+    pub fn restore_edits(&mut self, now: Duration) {
+        if let Some(unsaved) = &mut self.unsaved
+            && let Some((state, _)) = unsaved.offer.take()
+        {
+            unsaved.written.get_or_insert(Arc::clone(&state));
             self.keep(now, true);
             self.restore(&state);
         }
-        Ok(())
     }
 
-    /// Removes the file of the edits that are offered.
+    /// Forgets the edits that are offered. Those of this window stay.
     ///
     /// # Errors
-    /// If it cannot be removed.
+    /// If their file cannot be removed.
     pub fn discard_edits(&mut self) -> anyhow::Result<()> {
-        let unsaved = self.unsaved.as_mut();
-        let offer = unsaved.and_then(|unsaved| unsaved.offers.pop());
-        offer.map_or(Ok(()), |offer| files::remove(&offer.file.path))
+        let Some(unsaved) = &mut self.unsaved else {
+            return Ok(());
+        };
+        unsaved.offer = None;
+        match unsaved.written {
+            Some(_) => Ok(()),
+            None => files::remove(&unsaved.path),
+        }
     }
 }
 
-/// Offers the newest of the edits that windows left, at the top of `place`.
+/// Offers the edits that a window left, at the top of `place`.
 pub fn edits_bar(ui: &Ui, document: &Document, place: Rect, desk: &mut Desk) {
-    let offers = document.unsaved.iter().flat_map(|it| &it.offers);
-    let Some(written) = offers.last().map(|offer| offer.written) else {
+    let offer = document.unsaved.as_ref().and_then(|it| it.offer.as_ref());
+    let Some((_, written)) = offer else {
         return;
     };
-    let age = SystemTime::now().duration_since(written);
+    let age = SystemTime::now().duration_since(*written);
     let age = HumanDuration(age.unwrap_or_default());
     let bar = Area::new(ui.id().with("offer")).pivot(Align2::CENTER_TOP);
     let bar = bar.fixed_pos(place.center_top()).constrain_to(place);

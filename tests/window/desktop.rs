@@ -132,10 +132,10 @@ impl Program {
         self.xdotool(&["mousemove", "--window", &self.window, &x, &y]);
     }
 
-    /// Presses and releases the button at once.
+    /// Presses and releases the button as a finger does.
     pub fn click(&self, place: Point) {
         self.point_at(place);
-        self.xdotool(&["click", "1"]);
+        self.xdotool(&["mousedown", "1", "sleep", "0.05", "mouseup", "1"]);
     }
 
     /// Drags in small steps, like a hand.

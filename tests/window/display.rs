@@ -113,35 +113,6 @@ fn clicks_drags_and_the_wheel_have_their_effects() {
     program.quit();
 }
 
-#[test]
-#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
-fn no_click_is_too_short() {
-    let program = Program::open(&[], &[]);
-    let start = picture(&program.picture());
-    let seen = || picture(&program.picture());
-    // An odd number, so that a lost one shows. Two clicks are no double click here.
-    let light = place("red").map(|at| at.to_string());
-    program.xdotool(&[
-        "mousemove",
-        "--window",
-        &program.window,
-        &light[0],
-        &light[1],
-    ]);
-    program.xdotool(&["click", "--repeat", "41", "--delay", "12", "1"]);
-    until("the light is off", || seen() != start);
-    program.click(place("red"));
-    until("the light is on", || seen() == start);
-    for _ in 0..3 {
-        program.click(CUBOID);
-        until("a probe", || seen() != start);
-        program.press("Escape");
-        program.press("Escape");
-        until("no probe", || seen() == start);
-    }
-    program.quit();
-}
-
 /// The column of the divider in the window.
 fn place_of_divider() -> i32 {
     let harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
@@ -167,7 +138,7 @@ fn no_tap_of_a_key_is_lost() {
 
 #[test]
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
-fn quitting_and_closing_the_frame_keep_edits_in_a_new_file() {
+fn quitting_and_closing_the_frame_keep_edits() {
     for way in ["q", "alt+F4", "signal"] {
         let mut program = Program::open(&[], &[]);
         let folder = program.folder.path().to_path_buf();

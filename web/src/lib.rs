@@ -1,6 +1,6 @@
 //! The window in a browser: events of the page in, pixels and files out. `page.js` calls it.
 
-use std::path::PathBuf;
+use std::path::Path;
 use std::time::Duration;
 
 use egui::{Key, RawInput};
@@ -55,7 +55,7 @@ impl Page {
             level: Level::new(),
         };
         let mut app = App::new(drawing, Background::Pieces).map_err(told)?;
-        app.document.keep_edits(vec![PathBuf::from(files::UNSAVED)]);
+        app.document.keep_edits(Path::new(files::UNSAVED));
         Ok(Page { app, rgba: vec![] })
     }
 

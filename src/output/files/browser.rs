@@ -65,16 +65,6 @@ pub fn is_file(path: &Path) -> bool {
     all().files.contains_key(path)
 }
 
-/// The paths in a folder.
-pub fn in_folder(folder: &Path) -> Vec<PathBuf> {
-    let all = all();
-    let inside = all
-        .files
-        .keys()
-        .filter(|path| path.parent() == Some(folder));
-    inside.cloned().collect()
-}
-
 /// Removes a file, if there is one.
 ///
 /// # Errors
@@ -85,14 +75,6 @@ pub fn remove(path: &Path) -> anyhow::Result<()> {
         all.changed.push(path.to_owned());
     }
     Ok(())
-}
-
-/// Pages have files of their own.
-pub struct Lock;
-
-/// Locks a file; `None` if there is none.
-pub fn lock(path: &Path) -> Option<Lock> {
-    is_file(path).then_some(Lock)
 }
 
 /// Every folder is there.

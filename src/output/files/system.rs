@@ -4,7 +4,7 @@
 //! it is on the disk. Devices, pipes and open descriptors such as /dev/fd/3 are written directly. A symbolic link stays a
 //! link, and its target is replaced.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process;
@@ -32,12 +32,6 @@ pub fn is_file(path: &Path) -> bool {
     path.is_file()
 }
 
-/// The paths in a folder.
-pub fn in_folder(folder: &Path) -> Vec<PathBuf> {
-    let files = fs::read_dir(folder).into_iter().flatten().flatten();
-    files.map(|file| file.path()).collect()
-}
-
 /// Removes a file, if there is one.
 ///
 /// # Errors
@@ -49,19 +43,6 @@ pub fn remove(path: &Path) -> anyhow::Result<()> {
         }
         _ => Ok(()),
     }
-}
-
-/// A lock on a file against other windows. It ends when it is dropped, or with the program, whatever ends that.
-pub struct Lock {
-    _file: File,
-}
-
-/// Locks a file; `None` if there is none, or if another program has it.
-pub fn lock(path: &Path) -> Option<Lock> {
-    let file = File::open(path).ok()?;
-    // Some file systems have no locks.
-    let is_taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
-    (!is_taken).then_some(Lock { _file: file })
 }
 
 /// Makes a folder and those that it lies in.

@@ -284,11 +284,6 @@ fn the_picture_keeps_its_size_when_the_inspector_opens() {
             window.step(Vec::new());
             assert_eq!(window.app.canvas.size(), size, "{width}");
             assert_eq!(window.app.desk.tab, Some(Tab::Pixel), "{width}");
-            let pixel = window.app.pixel().expect("it was clicked");
-            // The drawer leaves the pixel in sight.
-            let beside = [pixel[0] + 2, pixel[1]];
-            window.click(window.app.canvas.place_of(beside));
-            assert_eq!(window.app.pixel(), Some(beside), "{width}");
             window.press(Key::Escape);
             window.press(Key::Escape);
         }

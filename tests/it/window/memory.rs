@@ -1,8 +1,6 @@
-//! The memory of the window: buffers of a large window are given back by a small one, and a step in which nothing changes
-//! copies no scene.
+//! The memory of the window: buffers of a large window are given back by a small one.
 
 use egui::Key;
-use shadetrade::scene::{Scene, SceneRecord};
 
 use super::{PAUSE, Window};
 use crate::support::window::default_scene;
@@ -31,30 +29,4 @@ fn a_small_window_keeps_no_buffers_of_a_large_one() {
             assert!(kept.bytes_current < 1_000_000, "{key:?}: {kept:?}");
         }
     }
-}
-
-#[test]
-fn a_step_in_which_nothing_changes_takes_no_memory_for_a_cuboid() {
-    let bytes = |cuboids: usize| {
-        let mut record = SceneRecord::of(&default_scene().world);
-        record.cuboid = vec![record.cuboid[0].clone(); cuboids];
-        for (place, cuboid) in record.cuboid.iter_mut().enumerate() {
-            cuboid.name = format!("{place:5}");
-        }
-        let scene = Scene::spawn("many".to_owned(), &record);
-        let mut window = Window::of(scene, [640, 480]);
-        // The editor, with an edit that is not saved.
-        window.press(Key::E);
-        window.app.document.scene.world = {
-            record.background.x += 1.0;
-            record.spawn()
-        };
-        for _ in 0..5 {
-            window.wait(PAUSE);
-        }
-        assert!(window.app.document.is_edited());
-        allocation_counter::measure(|| window.wait(PAUSE)).bytes_total
-    };
-    let (few, many) = (bytes(100), bytes(1100));
-    assert!(many < few + 10_000, "{few} and {many}");
 }

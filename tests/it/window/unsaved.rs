@@ -1,4 +1,4 @@
-//! Unsaved edits: on disk two seconds after a change, whatever ends the program, offered when the scene is opened again.
+//! Unsaved edits: on disk two seconds after a change, offered when the scene is opened again, removed once saved or undone.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,11 +6,11 @@ use std::time::Duration;
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
-use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::scene::{Scene, SceneRecord};
 use tempfile::TempDir;
 
-use super::files::{change, edit, on_file, read, save, write};
-use super::{FRAME, PAUSE, SIZE, Window, lesson};
+use super::files::{change, edit, on_file, read, save};
+use super::{FRAME, PAUSE, SIZE, Window};
 use crate::support::window::{default_scene, widgets};
 
 /// The folder of the user's in which edits are kept.
@@ -22,7 +22,7 @@ fn state_folder(window: &Window) -> PathBuf {
 fn keeping() -> (Window, PathBuf) {
     let (mut window, path) = on_file();
     let state = state_folder(&window);
-    window.app.document.keep_edits(vec![state]);
+    window.app.document.keep_edits(&state);
     (window, path)
 }
 
@@ -35,11 +35,9 @@ fn kill(window: Window) -> TempDir {
 fn start(folder: TempDir, path: Option<&Path>) -> Window {
     let scene = path.map(|path| Scene::load_path(path).expect("a scene"));
     let mut window = Window::of(scene.unwrap_or_else(default_scene), SIZE);
-    window
-        .app
-        .document
-        .keep_edits(vec![folder.path().join("state")]);
     window.folder = folder;
+    let state = state_folder(&window);
+    window.app.document.keep_edits(&state);
     window.step(Vec::new());
     window
 }
@@ -63,167 +61,150 @@ fn is_offered(window: Window) -> (Window, bool) {
     (Window { app, ..window }, is_offered)
 }
 
-fn intensity(path: &Path) -> f64 {
-    read(path).light[0].intensity
+/// The files of edits in a state folder.
+fn kept_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let below = |path: PathBuf| {
+        if path.is_dir() {
+            kept_in(&path)
+        } else {
+            vec![path]
+        }
+    };
+    paths.flat_map(below).collect()
+}
+
+fn kept(window: &Window) -> Vec<PathBuf> {
+    kept_in(&state_folder(window))
+}
+
+/// The edits that are on disk, in one file.
+#[track_caller]
+fn edits(window: &Window) -> SceneRecord {
+    let paths = kept(window);
+    assert_eq!(paths.len(), 1, "{paths:?}");
+    read(&paths[0])
 }
 
 #[test]
 fn edits_are_on_disk_two_seconds_after_a_change_and_not_before() {
-    let (mut window, path) = keeping();
-    let file = path.with_file_name("mine-unsaved.toml");
+    let (mut window, _) = keeping();
     // Looking is no edit.
     window.press(Key::ArrowLeft);
     window.press(Key::W);
     window.wait(2 * PAUSE);
-    assert!(!file.exists());
+    assert!(kept(&window).is_empty());
     change(&mut window, 3.0);
     let late = window.now + PAUSE;
     let early = window.now + Duration::from_millis(1999);
     window.step_at(early, Vec::new());
-    assert!(!file.exists());
+    assert!(kept(&window).is_empty());
     assert!(window.output.repaint_after <= Duration::from_millis(1));
     window.step_at(late, Vec::new());
-    assert_eq!(read(&file), window.record());
+    assert_eq!(edits(&window), window.record());
     // Changes that go on are on disk, too, the last of them two seconds later at most.
     for step in 0..200_i32 {
         let wanted = f64::from(4 + step);
         change(&mut window, wanted);
-        let missing = wanted - intensity(&file);
+        let missing = wanted - edits(&window).light[0].intensity;
         let steps = PAUSE.as_millis() / FRAME.as_millis();
         assert!(missing <= steps as f64, "{missing} steps");
     }
     window.wait(PAUSE);
-    assert_eq!(read(&file), window.record());
-    assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
+    assert_eq!(edits(&window), window.record());
+    assert_eq!(window.files(), ["mine.toml", "state"]);
     assert_eq!(window.message(), "");
 }
 
 #[test]
 fn the_file_of_edits_goes_when_they_are_saved_or_undone() {
     let (mut window, path) = keeping();
-    let file = path.with_file_name("mine-unsaved.toml");
     edit(&mut window, 3.0);
-    assert!(file.exists());
+    assert_eq!(kept(&window).len(), 1);
     window.undo();
-    assert!(!file.exists());
+    assert!(kept(&window).is_empty());
     window.redo();
     window.wait(PAUSE);
-    assert!(file.exists());
+    assert_eq!(kept(&window).len(), 1);
     save(&mut window);
-    assert!(!file.exists());
+    assert!(kept(&window).is_empty());
     // Edits after it are those of the new file.
     window.press_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     edit(&mut window, 4.0);
-    let files = ["mine-2-unsaved.toml", "mine-2.toml", "mine.toml"];
-    assert_eq!(window.files(), files);
-    window.undo();
-    assert!(!window.app.document.title().contains('*'));
-    // It is not offered either.
-    window.wait(PAUSE);
-    let folder = kill(window);
-    let (_, is_offered) = is_offered(start(folder, Some(&path)));
+    let (mut window, is_offered) = is_offered(start(kill(window), Some(&path)));
     assert!(!is_offered);
+    let other = path.with_file_name("mine-2.toml");
+    window.choose(Scene::load_path(&other).expect("a scene"));
+    let window = answer(window, "restore");
+    assert_eq!(window.record().light[0].intensity, 4.0);
 }
 
 #[test]
 fn edits_of_a_window_that_ended_are_offered_until_they_are_restored_or_discarded() {
-    let (mut window, path) = keeping();
-    let file = path.with_file_name("mine-unsaved.toml");
-    let saved = window.record();
-    edit(&mut window, 3.0);
-    let edits = window.record();
-    // Without an answer they are offered again.
-    let folder = kill(window);
-    let window = start(folder, Some(&path));
-    assert_eq!(window.record(), saved, "nothing is restored by itself");
-    let folder = kill(window);
-    let mut window = answer(start(folder, Some(&path)), "restore");
-    assert_eq!(window.record(), edits);
-    assert!(window.app.document.title().contains('*'));
-    // A restart still offers them.
-    let folder = kill(window);
-    window = answer(start(folder, Some(&path)), "restore");
-    assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
-    window.undo();
-    assert_eq!(window.record(), saved);
-    window.redo();
-    save(&mut window);
-    assert_eq!(read(&path), edits);
-    assert_eq!(window.files(), ["mine.toml"]);
-    edit(&mut window, 4.0);
-    let folder = kill(window);
-    assert!(file.exists());
-    let (window, is_left) = is_offered(answer(start(folder, Some(&path)), "discard"));
-    assert!(!is_left && !file.exists());
-    assert_eq!(window.record(), edits);
+    // Of a file, and of a built-in scene.
+    for (mut window, path) in [
+        (keeping().0, true),
+        (start(tempfile::tempdir().expect("a folder"), None), false),
+    ] {
+        let path = path.then(|| window.folder.path().join("mine.toml"));
+        let path = path.as_deref();
+        let saved = window.record();
+        // The record has the view, too.
+        for key in [Key::ArrowLeft, Key::P, Key::O] {
+            window.press(key);
+        }
+        edit(&mut window, 3.0);
+        let edited = window.record();
+        // Without an answer they are offered again, and nothing is restored by itself.
+        window = start(kill(window), path);
+        assert_eq!(window.record(), saved);
+        window = answer(start(kill(window), path), "restore");
+        assert_eq!(window.record(), edited);
+        assert!(window.app.document.title().contains('*'));
+        // A restart still offers them.
+        window = answer(start(kill(window), path), "restore");
+        assert_eq!(kept(&window).len(), 1);
+        window.undo();
+        assert_eq!(window.record(), saved);
+        assert!(kept(&window).is_empty());
+        window.redo();
+        window.wait(PAUSE);
+        assert_eq!(edits(&window), edited);
+        let (window, is_left) = is_offered(answer(start(kill(window), path), "discard"));
+        assert!(!is_left && kept(&window).is_empty());
+        assert_eq!(window.record(), saved);
+    }
 }
 
 #[test]
-fn two_windows_on_one_scene_leave_each_other_s_edits_alone() {
+fn edits_made_beside_an_offer_are_kept() {
+    for (label, intensity) in [("restore", 3.0), ("discard", 4.0)] {
+        let (mut window, path) = keeping();
+        edit(&mut window, 3.0);
+        window = start(kill(window), Some(&path));
+        edit(&mut window, 4.0);
+        window = answer(window, label);
+        window.wait(PAUSE);
+        assert_eq!(window.record().light[0].intensity, intensity);
+        assert_eq!(edits(&window), window.record(), "{label}");
+        if label == "restore" {
+            window.undo();
+            assert_eq!(window.record().light[0].intensity, 4.0);
+        }
+    }
+}
+
+#[test]
+fn of_two_windows_on_one_scene_the_last_writer_stays() {
     let (mut one, path) = keeping();
     edit(&mut one, 3.0);
-    let folder = tempfile::tempdir().expect("a folder");
-    let (mut other, has_first) = is_offered(start(folder, Some(&path)));
-    assert!(!has_first, "its window is open");
+    let mut other = Window::of(Scene::load_path(&path).expect("a scene"), SIZE);
+    other.app.document.keep_edits(&state_folder(&one));
     edit(&mut other, 4.0);
-    edit(&mut one, 5.0);
-    let [first, second] =
-        ["mine-unsaved.toml", "mine-unsaved-2.toml"].map(|name| path.with_file_name(name));
-    assert_eq!([&first, &second].map(|it| intensity(it)), [5.0, 4.0]);
-    let (_other, folder) = (kill(other), kill(one));
-    // Each is offered, one after the other, and edits made meanwhile are kept.
-    let mut window = start(folder, Some(&path));
-    edit(&mut window, 6.0);
-    let third = path.with_file_name("mine-unsaved-3.toml");
-    assert_eq!(intensity(&third), 6.0);
-    let mut window = answer(window, "restore");
-    assert_eq!(window.record().light[0].intensity, 5.0);
-    save(&mut window);
-    assert!(!first.exists());
-    let window = answer(window, "restore");
-    assert_eq!(window.record().light[0].intensity, 6.0);
-    assert_eq!([&second, &third].map(|it| intensity(it)), [4.0, 6.0]);
-}
-
-#[test]
-fn edits_go_to_a_folder_of_the_user_s_where_the_scene_has_none() {
-    // A built-in scene.
-    let mut window = start(tempfile::tempdir().expect("a folder"), None);
-    edit(&mut window, 3.0);
-    let edits = window.record();
-    assert!(
-        state_folder(&window)
-            .join("built-in/cuboid-unsaved.toml")
-            .exists()
-    );
-    let window = answer(start(kill(window), None), "restore");
-    assert_eq!(window.record(), edits);
-    // A folder that is removed while the window is open.
-    let (mut window, other) = on_file();
-    let folder = other.with_file_name("own");
-    fs::create_dir(&folder).expect("made");
-    let path = folder.join("mine.toml");
-    fs::rename(other, &path).expect("moved");
-    window.choose(Scene::load_path(&path).expect("a scene"));
-    let state = state_folder(&window);
-    window.app.document.keep_edits(vec![state.clone()]);
-    edit(&mut window, 3.0);
-    fs::remove_dir_all(&folder).expect("removed");
-    window.wait(PAUSE);
-    window.wait(PAUSE);
-    let kept = state.join(path.strip_prefix("/").expect("a path from the root"));
-    assert_eq!(
-        read(&kept.with_file_name("mine-unsaved.toml")),
-        window.record()
-    );
-    assert!(!folder.exists());
-    // So it is at once if the window closes.
-    edit(&mut window, 4.0);
-    assert!(window.app.may_close(true).expect("written"));
-    fs::create_dir(&folder).expect("made");
-    fs::write(&path, BUILT_IN[0].1).expect("written");
-    let window = answer(start(kill(window), Some(&path)), "restore");
-    assert_eq!(window.record().light[0].intensity, 4.0);
+    assert_eq!(edits(&one), other.record());
+    assert!(one.app.may_close(false).expect("written"));
+    assert_eq!(edits(&one), one.record());
 }
 
 #[test]
@@ -251,37 +232,7 @@ fn edits_that_cannot_be_written_are_told_once_and_hold_the_window() {
     // As soon as there is a place, they are there.
     fs::remove_file(state_folder(&window)).expect("removed");
     window.wait(PAUSE);
-    assert!(
-        state_folder(&window)
-            .join("built-in/cuboid-unsaved.toml")
-            .exists()
-    );
-}
-
-#[test]
-fn edits_that_a_changed_file_takes_away_are_offered() {
-    let (mut window, path) = keeping();
-    edit(&mut window, 3.0);
-    let edits = window.record();
-    write(&path, "fov = 31.25");
-    window.wait(PAUSE);
-    assert_eq!(window.record().light[0].intensity, 10.0);
-    let window = answer(window, "restore");
-    assert_eq!(window.record(), edits);
-    assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
-}
-
-#[test]
-fn edits_that_a_step_of_a_lesson_takes_away_are_offered() {
-    let mut window = lesson::open();
-    let state = state_folder(&window);
-    window.app.document.keep_edits(vec![state]);
-    change(&mut window, 3.0);
-    let edits = window.record();
-    window.press(Key::Enter);
-    assert_ne!(window.record(), edits);
-    let window = answer(window, "restore");
-    assert_eq!(window.record(), edits);
+    assert_eq!(edits(&window), window.record());
 }
 
 #[test]
@@ -291,47 +242,21 @@ fn another_scene_leaves_the_edits_of_the_one_before_on_disk() {
     let edits = window.record();
     let other = Scene::load(Some("assignment")).expect("built in");
     window.choose(other);
-    assert!(window.message().contains("mine-unsaved.toml"));
     window.wait(PAUSE);
     assert!(window.app.document.title().contains("assignment"));
     window.undo();
     assert_eq!(window.message(), "nothing to undo");
-    assert_eq!(window.files(), ["mine-unsaved.toml", "mine.toml"]);
     window.choose(Scene::load_path(&path).expect("a scene"));
     let window = answer(window, "restore");
     assert_eq!(window.record(), edits);
 }
 
 #[test]
-fn a_file_that_only_has_the_name_of_edits_is_neither_offered_nor_replaced() {
-    let (window, path) = keeping();
-    let own = [
-        "mine-unsaved.toml",
-        "mine-unsaved-b.toml",
-        "mine-unsaved.txt",
-    ];
-    for (name, text) in own.into_iter().zip(["mine", BUILT_IN[0].1, BUILT_IN[0].1]) {
-        fs::write(path.with_file_name(name), text).expect("written");
-    }
-    let folder = kill(window);
-    let (mut window, is_offered) = is_offered(start(folder, Some(&path)));
-    assert!(!is_offered);
-    edit(&mut window, 3.0);
-    assert!(path.with_file_name("mine-unsaved-2.toml").exists());
-    assert_eq!(
-        fs::read(path.with_file_name(own[0])).expect("read"),
-        b"mine"
-    );
-}
-
-#[test]
-fn a_record_of_the_edits_has_the_view_too() {
+fn a_scene_has_one_file_whatever_the_way_to_it() {
     let (mut window, path) = keeping();
-    for key in [Key::ArrowLeft, Key::P, Key::O] {
-        window.press(key);
-    }
     edit(&mut window, 3.0);
-    let edits: SceneRecord = window.record();
-    let window = answer(start(kill(window), Some(&path)), "restore");
-    assert_eq!(window.record(), edits);
+    let folder = path.with_file_name("folder");
+    fs::create_dir(&folder).expect("made");
+    let (_, is_offered) = is_offered(start(kill(window), Some(&folder.join("../mine.toml"))));
+    assert!(is_offered);
 }
