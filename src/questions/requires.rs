@@ -15,10 +15,8 @@
 //! one is compared with the nearest colour of the same face in the other. If the other cannot show that face, the colour is
 //! compared with all of its colours.
 //!
-//! [`bits`] rounds one stage of the model at a time, and compares in the same way. [`segments`] does so with Gouraud on ever
-//! finer grids.
+//! [`segments`] compares Gouraud on ever finer grids in the same way.
 
-pub mod bits;
 pub mod command;
 pub mod segments;
 

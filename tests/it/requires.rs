@@ -1,6 +1,5 @@
 //! `requires`: answers known on paper, comparison with f64, and the least scene.
 
-mod bits;
 mod known;
 mod least;
 mod scenes;

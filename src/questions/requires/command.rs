@@ -4,7 +4,6 @@
 
 use serde_json::json;
 
-use super::bits::{StageBits, bits};
 use super::segments::{FewestSegments, fewest_segments};
 use super::{Part, PartChange, least, part_changes, ranked, without};
 use crate::components::View;
@@ -22,18 +21,13 @@ const LEGEND_OF_SEGMENTS: &str = "cells of a face: the fewest, 1 x 1 to 256 x 25
     exact Phong, while all other cuboids have exact Phong; largest error: with so many cells, or with 256 x 256, in levels \
     of 255, proven.";
 
-const LEGEND_OF_BITS: &str = "One stage is rounded at a time, after each of its operations; all others are in f64. bits: the \
-    least number of bits of significand, 2 to 24, that keeps the tolerance, as do all larger ones; largest error: with that \
-    number of bits, in levels of 255, proven; f16, bf16, f32: whether the format keeps the tolerance, and its largest error.";
-
-/// Prints the parts, the segments and the bits that a picture requires, and writes a reduced scene to `least_scene`.
+/// Prints the parts and the segments that a picture requires, and writes a reduced scene to `least_scene`.
 ///
 /// # Errors
 /// If the picture does not fit in memory or the output cannot be written.
 pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> anyhow::Result<()> {
     let (subject, view) = (drawing.subject(), drawing.view());
     let rows = with_bar(async |monitor| part_changes(&drawing.scene, &view, monitor).await)?;
-    let stages = with_bar(async |monitor| bits(&drawing.scene, &view, monitor).await)?;
     let segments = with_bar(async |monitor| fewest_segments(&drawing.scene, &view, monitor).await)?;
     let record = json!({
         "scene": drawing.scene.name,
@@ -41,16 +35,12 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
         "views": 1,
         "parts": rows,
         "segments": segments,
-        "bits": stages,
     });
     let rows = ranked(rows);
     print(&record, as_json, least_scene, || {
         let parts = [subject.clone(), table(&rows), wrapped(LEGEND)];
-        let head = ["stage", "bits", "largest error", "f16", "bf16", "f32"];
-        let cells = stages.iter().map(StageBits::cells);
-        let bits = [aligned(&head, cells), wrapped(LEGEND_OF_BITS)];
         let segments = [table_of_segments(&segments), wrapped(LEGEND_OF_SEGMENTS)];
-        [&parts[..], &segments[..], &bits[..]].concat().join("\n\n")
+        [&parts[..], &segments[..]].concat().join("\n\n")
     })?;
     match least_scene {
         Some(output) => write_least(&subject, &drawing.scene, &view, rows, output),
