@@ -6,7 +6,7 @@
 //!                               |  spin -> normals -> projection -> lighting -> rasterization
 //!                               |                                         |--> window            (view)
 //!                               |                                         |--> PNG               (render, figures)
-//!                               |--reference (f64)--> truth --metrics--> table, best trades, error map (trade, window)
+//!                               |--reference (f64)--> truth --metrics--> table, best trades (trade), error map (window)
 //!                               '--reference (intervals)--> enclosures --> a proof (prove, extremes, requires, window)
 //! ```
 //!
@@ -195,8 +195,8 @@
 //! A room imports from lower lines only, and `tests/it/layers.rs` reads this drawing, and the one of [`questions`] inside that
 //! room. Beyond that: [`mod@reference`] takes components, [`output::memory`] and [`output::progress`], never a formula of the
 //! renderer's; [`output`] imports nothing else of this crate; [`cli`] imports what it needs to convert and check options;
-//! minifb is named in [`window`] alone, egui in [`output::paint`], [`window`] and the modules that draw letters, which are
-//! [`questions::figures`] and the error map of [`questions::trade`]; only [`scene`] reads and writes TOML.
+//! minifb is named in [`window`] alone, egui in [`output::paint`], [`window`] and [`questions::figures`], which draws letters;
+//! only [`scene`] reads and writes TOML.
 //!
 //! # What is not modelled, and why
 //!

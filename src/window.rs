@@ -19,6 +19,7 @@ pub mod desk;
 #[cfg(not(target_family = "wasm"))]
 pub mod display;
 pub mod document;
+pub mod error_map;
 pub mod facts;
 pub mod file;
 pub mod history;

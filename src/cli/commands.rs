@@ -122,7 +122,7 @@ pub struct TradeOptions {
     /// The scene and the view; each method has its own shading and tolerance.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// The folder for trade.json, trade.md, trade.svg (error against time) and an error map of each method, created if absent
+    /// The folder for trade.json, trade.md and trade.svg (error against time), created if absent
     #[arg(short, long, value_name = "DIR", value_parser = path())]
     pub output: Option<PathBuf>,
     /// Takes the least number of samples; the same as --seconds 0

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!            +-- accuracy: pictures against the reference -------+
-//! Request ---+                                                   +-- measure --> Report --> export, plot, error_map
+//! Request ---+                                                   +-- measure --> Report --> export, plot
 //!            +-- timing, batch: frames by the clock, in turns ---+
 //! ```
 //! Measuring and reporting are apart: a [`Report`] is data, and every text and picture is a pure function of it. JSON has
@@ -20,7 +20,6 @@
 pub mod accuracy;
 pub mod batch;
 pub mod budget;
-pub mod error_map;
 pub mod export;
 pub mod machine;
 pub mod measurement;
@@ -30,8 +29,6 @@ pub mod verdict;
 
 use std::path::Path;
 
-use rayon::prelude::*;
-
 use self::machine::Machine;
 pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
@@ -39,12 +36,12 @@ use crate::components::ShadingMode;
 use crate::output::Monitor;
 use crate::output::files;
 use crate::output::progress::with_bar;
-use crate::output::words::{counted, short};
+use crate::output::words::short;
 use crate::output::{self, Output, one_line, quoted};
 use crate::questions::job::camera_name;
 use crate::shading::Method;
 
-/// The files of a report, besides error maps.
+/// The files of a report.
 pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
 
 /// Measures the methods of `request`. Errors that are `known` from the same view are not computed again, and of two timings
@@ -158,31 +155,23 @@ pub fn run(request: &Request, out: Option<&Path>) -> anyhow::Result<()> {
     if let Some(folder) = out {
         write_files(&report, folder)?;
         output::say(&format!(
-            "wrote trade.json, trade.md, trade.svg and {} into {}",
-            counted(report.methods.len(), "error map"),
+            "wrote trade.json, trade.md and trade.svg into {}",
             one_line(folder)
         ));
     }
     Ok(())
 }
 
-/// Writes `trade.json`, `trade.md`, `trade.svg` and an error map for every method into an existing folder.
+/// Writes [`FILES`] into an existing folder.
 ///
 /// # Errors
 /// If one of them cannot be written.
-pub fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
+fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
     let texts = [
         output::json(report)?,
         export::markdown(report),
         plot::svg(report)?,
     ];
     let files: Vec<_> = FILES.into_iter().zip(texts).collect();
-    output::write_texts(folder, &files)?;
-    report.methods.par_iter().try_for_each(|one| {
-        let id = one.method.id;
-        let title = format!("{id}: error against exact Phong, in levels");
-        let (pixels, size) = error_map::with_legend(&one.map, report.size, &title);
-        let path = folder.join(format!("error-{id}.png"));
-        Output::File(path).write_png(&pixels, size)
-    })
+    output::write_texts(folder, &files)
 }

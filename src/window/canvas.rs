@@ -24,8 +24,6 @@ pub struct Canvas {
     pub place: Rect,
     /// Pixels of the window in a point.
     pub scale: f32,
-    /// Whether the error map has the narrowest scale that holds the error.
-    pub stretches: bool,
     /// The state and the view that were drawn last.
     pub drawn: Option<(Arc<SceneRecord>, View)>,
     /// When the picture last changed, until it rests.
@@ -38,7 +36,6 @@ impl Canvas {
             pictures: Pictures::new(workers),
             place: Rect::ZERO,
             scale: 1.0,
-            stretches: false,
             drawn: None,
             moved: None,
         }
@@ -134,10 +131,7 @@ impl Canvas {
             (ViewMode::Wipe, Some(turn)) => self.side(viewer, facts, turn),
             (_, Some(0)) => or_dimmed(exact, frame),
             (ViewMode::Picture, _) | (_, Some(_)) => frame.into(),
-            (ViewMode::Error, None) => {
-                let map = comparison.map(|it| &*it.error_maps[usize::from(self.stretches)]);
-                or_dimmed(map, frame)
-            }
+            (ViewMode::Error, None) => or_dimmed(comparison.map(|it| &*it.error_map), frame),
             (ViewMode::Tiles, None) => self.pictures.tiles().into(),
             (ViewMode::Terms, None) => Cow::from(&self.pictures.terms),
             (ViewMode::Wipe, None) => {

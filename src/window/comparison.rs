@@ -3,12 +3,12 @@
 use fearless_simd::Level;
 use hecs::World;
 
+use super::error_map::color_of;
 use crate::components::{ShadingMode, View};
 use crate::output::Monitor;
 use crate::output::memory;
 use crate::output::progress::bands;
 use crate::questions::metrics::{self, Picture};
-use crate::questions::trade::error_map::Scale;
 use crate::reference;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers, display_pixel};
@@ -18,8 +18,8 @@ use crate::systems::frame::{Frame, Keep, Workers, display_pixel};
 pub struct Comparison {
     /// Exact Phong, 0x00RRGGBB.
     pub exact: Vec<u32>,
-    /// The error against exact Phong in the colours of the scale of files, and in those of the narrowest that holds it.
-    pub error_maps: [Vec<u32>; 2],
+    /// The error against exact Phong in the colours of [`super::error_map`], 0x00RRGGBB.
+    pub error_map: Vec<u32>,
     /// The largest error, in levels of 255; `None` where nothing can be compared.
     pub error: Option<f64>,
 }
@@ -37,7 +37,7 @@ impl Comparison {
     ) -> anyhow::Result<Comparison> {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
-        let mut errors = memory::reserve_pixels(view.size)?;
+        let mut error_map = memory::reserve_pixels(view.size)?;
         let mut largest: Option<f64> = None;
         for rows in bands(view.size[1]) {
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;
@@ -46,14 +46,12 @@ impl Comparison {
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
             let error = metrics::compare(drawn, compared).error.map(|it| it.max);
             largest = largest.into_iter().chain(error).reduce(f64::max);
-            errors.extend(metrics::compared(drawn, compared));
+            error_map.extend(metrics::compared(drawn, compared).map(color_of));
             exact_pixels.extend(exact.levels.into_iter().map(display_pixel));
         }
-        let scales = [Scale::WIDEST, Scale::holding(largest.unwrap_or(0.0))];
-        let map = |scale: Scale| errors.iter().map(|it| scale.color(*it)).collect();
         Ok(Comparison {
             exact: exact_pixels,
-            error_maps: scales.map(map),
+            error_map,
             error: largest,
         })
     }

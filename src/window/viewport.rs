@@ -10,6 +10,7 @@ use hecs::World;
 use super::app::App;
 use super::canvas::Canvas;
 use super::controls::{orbit, zoom};
+use super::error_map::{EDGE, NOTHING, draw_scale, position};
 use super::inspector::Tab;
 use super::lights::{discs, draw_arrows};
 use super::pictures::{QUARTERS, TINTS};
@@ -21,7 +22,6 @@ use crate::components::{
     FileOrder, Lens, LightKind, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
 };
 use crate::output::paint::color;
-use crate::questions::trade::error_map::{EDGE, NOTHING, Scale};
 use crate::scene::unseen;
 use crate::shading::SquareKind;
 
@@ -238,9 +238,9 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
 }
 
 /// The meaning of the colours of the error map or of squares.
-fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &mut Canvas, study: &Study) {
+fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, study: &Study) {
     if viewer.show == ViewMode::Error {
-        return error_legend(ui, viewer.tolerance, canvas, study);
+        return error_legend(ui, viewer.tolerance, study);
     }
     let counts = canvas.pictures.frame.counts().squares;
     let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
@@ -258,27 +258,22 @@ fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &mut Canvas, study: &Study) {
 }
 
 /// The scale of the error map, with marks at the tolerance and at the largest error.
-fn error_legend(ui: &mut Ui, tolerance: f64, canvas: &mut Canvas, study: &Study) {
+fn error_legend(ui: &mut Ui, tolerance: f64, study: &Study) {
     ui.label("error against exact Phong, levels");
     let comparison = study.facts.comparison.current();
     let largest = comparison.and_then(|it| it.error);
-    let known = comparison.filter(|_| canvas.stretches);
-    let scale = known.map_or(Scale::WIDEST, |_| Scale::holding(largest.unwrap_or(0.0)));
     let size = vec2(ui.available_width().min(260.0), 26.0);
     let (place, response) = ui.allocate_exact_size(size, Sense::hover());
     response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");
     let painter = ui.painter_at(place);
-    scale.draw(&painter, place, Color32::GRAY);
+    draw_scale(&painter, place, Color32::GRAY);
     let marks = [Some(tolerance), largest];
     for mark in marks.into_iter().flatten() {
         // The scale leaves room for its last label.
-        let share = scale.position(mark) as f32;
+        let share = position(mark) as f32;
         let x = place.min.x + share * (place.width() - place.height());
         painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
     }
-    let says = "Spreads the colours over the errors of this picture. Else they are those of the files of trade.";
-    ui.checkbox(&mut canvas.stretches, "stretch")
-        .on_hover_text(says);
     wait(ui, study, study.facts.comparison.is_current);
     swatch(ui, EDGE, "another face is seen");
     swatch(ui, NOTHING, "nothing is drawn");

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! scene, black background, specular lights alone --> the share of the highlight that each method keeps
-//! scene --+-- exact Phong in f64 ----> error of each method; in a report also the error map
+//! scene --+-- exact Phong in f64 ----> error of each method
 //!         '-- its own mode in f64 ---> in a report, own error
 //! ```
 //! Nothing here is timed. The figures do not depend on the number of threads.
@@ -12,23 +12,22 @@ use std::collections::{HashMap, HashSet};
 use anyhow::Context;
 use glam::DVec3;
 
-use super::error_map::Scale;
 use super::measurement::{Measurement, Request};
 use super::timing::Timing;
 use crate::components::{Light, LightKind, ShadingMode, View};
 use crate::output::Monitor;
 use crate::output::memory;
-use crate::questions::metrics::{Picture, compare, compared};
+use crate::questions::metrics::{Picture, compare};
 use crate::reference;
 use crate::scene::Scene;
-use crate::shading::{METHODS, Method};
+use crate::shading::Method;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers, display_step};
 
 /// The most bytes for a pixel: a reference picture, a frame, and a list of errors.
 const BYTES: usize = 28 + 17 + 8;
-/// The bytes that a report adds: three reference pictures, and a map for each method.
-const BYTES_OF_REPORT: usize = 3 * 28 + 4 * METHODS.len();
+/// The bytes that a report adds: three reference pictures.
+const BYTES_OF_REPORT: usize = 3 * 28;
 
 /// The errors of `methods` in the view of `request`, without times.
 ///
@@ -67,7 +66,7 @@ pub async fn errors(
         systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
         let drawn = Picture::from(&frame);
         let difference = compare(drawn, exact);
-        let (mut own_error, mut map) = (None, Vec::new());
+        let mut own_error = None;
         if request.is_report {
             let rows = 0..view.size[1];
             let own = match method.segments {
@@ -77,7 +76,6 @@ pub async fn errors(
                 }
             };
             own_error = compare(drawn, Picture::from(own)).error;
-            map.extend(compared(drawn, exact).map(|it| Scale::WIDEST.color(it)));
         }
         measured.push(Measurement {
             method: *method,
@@ -90,7 +88,6 @@ pub async fn errors(
             edge_pixels: difference.edge_pixels,
             highlight_kept,
             on_front: false,
-            map,
         });
         let share = measured.len() as f64 / methods.len() as f64;
         (monitor.progress)("comparing pictures", share);

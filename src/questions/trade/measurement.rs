@@ -19,7 +19,7 @@ pub struct Request {
     pub methods: Vec<Method>,
     /// The time for timing frames, of all methods together. Each gets [`super::timing::MIN_SAMPLES`] in any case.
     pub time: Duration,
-    /// Whether the figures and the maps are found that only a report shows: `own_error` and `map`.
+    /// Whether `own_error` is found, which only a report shows.
     pub is_report: bool,
 }
 
@@ -64,9 +64,6 @@ pub struct Measurement {
     pub highlight_kept: Option<f64>,
     /// Whether it is a best trade: no other method beats it ([`super`]).
     pub on_front: bool,
-    /// The error against exact Phong in the colours of [`super::error_map::Scale::WIDEST`], 0x00RRGGBB.
-    #[serde(skip)]
-    pub map: Vec<u32>,
 }
 
 impl Measurement {

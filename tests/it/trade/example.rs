@@ -36,7 +36,6 @@ pub fn live(method: Method, median: f64, error: f64) -> Measurement {
         edge_pixels: 0,
         highlight_kept: None,
         on_front: true,
-        map: Vec::new(),
     }
 }
 

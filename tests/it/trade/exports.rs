@@ -2,9 +2,8 @@
 
 use serde::Deserialize;
 use shadetrade::questions::metrics::ErrorStatistics;
-use shadetrade::questions::trade::error_map::with_legend;
 use shadetrade::questions::trade::export::{markdown, table};
-use shadetrade::questions::trade::{Report, plot, write_files};
+use shadetrade::questions::trade::{Report, plot};
 
 use super::example::{empty_report, report, timing};
 
@@ -76,26 +75,6 @@ fn the_table_and_the_markdown_have_the_figures_of_every_method() {
         }
     }
     assert!(markdown(&report()).contains("\n`shadetrade trade`\n"));
-}
-
-#[test]
-fn every_method_has_its_error_map_with_a_legend() {
-    let folder = tempfile::tempdir().expect("there is room for a folder");
-    let mut report = report();
-    report.size = [2, 3];
-    for (index, one) in (1..).zip(&mut report.methods) {
-        one.map = vec![index; 6];
-    }
-    write_files(&report, folder.path()).expect("it is written");
-    assert_eq!(crate::cli::listing(folder.path()).len(), 3 + 4);
-    let (_, [width, height]) = with_legend(&[0; 6], [2, 3], "");
-    for (index, one) in (1..).zip(&report.methods) {
-        let path = folder.path().join(format!("error-{}.png", one.method.id));
-        let picture = image::open(path).expect("a PNG").into_rgb8();
-        assert_eq!(picture.get_pixel(1, 2).0, [0, 0, index]);
-        let size = (width as u32, height as u32);
-        assert_eq!(picture.dimensions(), size);
-    }
 }
 
 /// The parts of a plot that the tests check.

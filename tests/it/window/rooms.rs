@@ -170,7 +170,7 @@ fn a_canvas_shows_the_comparison_of_the_present_picture_alone() {
         drawn.expect("a small picture fits");
         facts.comparison.finish(Some(Comparison {
             exact: filled(exact),
-            error_maps: [filled(error_map), filled(0)],
+            error_map: filled(error_map),
             error: None,
         }));
         let found = |facts: &Facts| {

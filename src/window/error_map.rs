@@ -1,8 +1,7 @@
 //! The errors of a picture in colours, and the legend of the colours.
 //!
-//! A scale runs from 0 to its top, evenly in log(1 + 1020 error / top), so small errors are visible beside large
-//! ones. All files have the widest scale, so their colours can be compared. The window takes the narrowest scale that holds
-//! its errors.
+//! The scale runs from 0 to 255 levels, evenly in log(1 + 4 error), so small errors are visible beside large ones. All
+//! pictures have this scale, so their colours can be compared.
 
 use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
 
@@ -28,74 +27,44 @@ const MAGMA: [[f64; 7]; 3] = [
     [0.0023, 2.207, 2.4994, -20.8892, 24.8291, -5.2793, -2.6193],
 ];
 
-/// The colours of errors.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
-    /// The largest error with its own colour, in levels.
-    top: f64,
+/// The errors with a label, in levels.
+const TICKS: [f64; 11] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0];
+
+/// The position of an error in levels on the scale, 0..=1.
+pub fn position(error: f64) -> f64 {
+    ((4.0 * error).ln_1p() / 1020.0_f64.ln_1p()).clamp(0.0, 1.0)
 }
 
-impl Scale {
-    /// Holds all errors.
-    pub const WIDEST: Scale = Scale { top: 255.0 };
-    const NARROW_TOPS: [f64; 5] = [0.001, 0.01, 0.1, 1.0, 10.0];
-    /// Well below the top divided by this number the scale is even in the error, and above it in the error's logarithm.
-    const RANGE: f64 = 1020.0;
-
-    /// The narrowest scale that holds errors up to this one.
-    pub fn holding(error: f64) -> Scale {
-        let mut tops = Scale::NARROW_TOPS.into_iter();
-        let top = tops.find(|top| error <= *top);
-        top.map_or(Scale::WIDEST, |top| Scale { top })
+/// The colour of a pixel, 0x00RRGGBB.
+pub fn color_of(pixel: Pixel) -> u32 {
+    match pixel {
+        Pixel::Error(error) => color_at(position(error)),
+        Pixel::Edge => EDGE,
+        Pixel::Nothing => NOTHING,
     }
+}
 
-    /// The errors with a label, in levels.
-    pub fn ticks(self) -> Vec<f64> {
-        if self == Scale::WIDEST {
-            vec![0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 255.0]
-        } else {
-            [0.0, 5.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
-                .map(|thousandths| thousandths * self.top / 1000.0)
-                .to_vec()
-        }
+/// Draws the colours from left to right, and the errors of the ticks below them.
+pub fn draw_scale(painter: &Painter, row: Rect, ink: Color32) {
+    let (top, middle, half) = (row.top(), row.center().y, row.height() / 2.0);
+    let column = |x: f32, top: f32| Rect::from_x_y_ranges(x..=x + 1.0, top..=middle);
+    // Half of the last label is to the right of its tick.
+    let last = row.width() - row.height();
+    for x in (0..=last as u16).map(f32::from) {
+        let shade = color(color_at(f64::from(x / last)));
+        painter.rect_filled(column(row.left() + x, top), 0.0, shade);
     }
-
-    /// The place of an error in levels on the scale, 0..=1.
-    pub fn position(self, error: f64) -> f64 {
-        ((error / self.top * Scale::RANGE).ln_1p() / Scale::RANGE.ln_1p()).clamp(0.0, 1.0)
-    }
-
-    /// The colour of a pixel, 0x00RRGGBB.
-    pub fn color(self, pixel: Pixel) -> u32 {
-        match pixel {
-            Pixel::Error(error) => color_at(self.position(error)),
-            Pixel::Edge => EDGE,
-            Pixel::Nothing => NOTHING,
-        }
-    }
-
-    /// Draws the colours from left to right, and the errors of its ticks, in levels, below them.
-    pub fn draw(self, painter: &Painter, row: Rect, ink: Color32) {
-        let (top, middle, half) = (row.top(), row.center().y, row.height() / 2.0);
-        let column = |x: f32, top: f32| Rect::from_x_y_ranges(x..=x + 1.0, top..=middle);
-        // Half of the last label is to the right of its tick.
-        let last = row.width() - row.height();
-        for x in (0..=last as u16).map(f32::from) {
-            let shade = color(color_at(f64::from(x / last)));
-            painter.rect_filled(column(row.left() + x, top), 0.0, shade);
-        }
-        // A label that would touch the one to its right is left out.
-        let mut free = row.right();
-        for tick in self.ticks().into_iter().rev() {
-            let x = row.left() + (self.position(tick) as f32 * last).round();
-            painter.rect_filled(column(x, middle - half / 4.0), 0.0, ink);
-            let font = FontId::monospace(half * 0.8);
-            let label = painter.layout_no_wrap(tick.to_string(), font, ink);
-            let left = (x - label.size().x / 2.0).max(row.left());
-            if left + label.size().x < free {
-                painter.galley(pos2(left, middle), label, ink);
-                free = left;
-            }
+    // A label that would touch the one to its right is left out.
+    let mut free = row.right();
+    for tick in TICKS.into_iter().rev() {
+        let x = row.left() + (position(tick) as f32 * last).round();
+        painter.rect_filled(column(x, middle - half / 4.0), 0.0, ink);
+        let font = FontId::monospace(half * 0.8);
+        let label = painter.layout_no_wrap(tick.to_string(), font, ink);
+        let left = (x - label.size().x / 2.0).max(row.left());
+        if left + label.size().x < free {
+            painter.galley(pos2(left, middle), label, ink);
+            free = left;
         }
     }
 }
@@ -118,8 +87,7 @@ const PAPER: u32 = 0x0014_1518;
 const INK: Color32 = Color32::from_gray(230);
 const MARGIN: f32 = 20.0;
 
-/// A map of [`Scale::WIDEST`] with a title and the legend below it: the pixels and the new size. A narrow map is extended to
-/// the right.
+/// A map with a title and the legend below it: the pixels and the new size. A narrow map is extended to the right.
 pub fn with_legend(
     map: &[u32],
     [width, height]: [usize; 2],
@@ -138,7 +106,7 @@ pub fn with_legend(
         write(MARGIN, 15.0, 16.0, title);
         let length = (wide as f32 - 2.0 * MARGIN).min(LONGEST);
         let row = Rect::from_min_size(pos2(MARGIN, 30.0), vec2(length, 32.0));
-        Scale::WIDEST.draw(painter, row, INK);
+        draw_scale(painter, row, INK);
         let mut x = MARGIN;
         for (ink, meaning) in [
             (color_at(0.0), "no error"),
@@ -167,7 +135,7 @@ mod tests {
         let is_inked = |column: &usize| rows.iter().any(|row| row[*column] != PAPER);
         let inked: Vec<usize> = (0..width).filter(is_inked).collect();
         let gaps = inked.windows(2).filter(|pair| pair[1] - pair[0] > 4);
-        assert_eq!(gaps.count() + 1, Scale::WIDEST.ticks().len());
+        assert_eq!(gaps.count() + 1, TICKS.len());
         // The ticks of the ends are in columns 20 and 588.
         let [first, last] = [inked[0], inked[inked.len() - 1]];
         assert!(
@@ -192,28 +160,9 @@ mod tests {
 
     #[test]
     fn the_scale_runs_from_none_to_all() {
-        let scale = Scale::WIDEST;
-        assert_eq!([0.0, 255.0].map(|it| scale.position(it)), [0.0, 1.0]);
-        // ln(1 + 1020 0.5 / 255) / ln(1 + 1020) = ln 3 / ln 1021.
-        assert!((scale.position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
-    }
-
-    #[test]
-    fn the_narrowest_scale_that_holds_an_error_shows_it_and_ends_with_a_tick() {
-        for (error, top, first) in [
-            (0.0, 0.001, "0.000005"),
-            (0.001, 0.001, "0.000005"),
-            (0.06, 0.1, "0.0005"),
-            (1.0, 1.0, "0.005"),
-            (1.1, 10.0, "0.05"),
-            (10.1, 255.0, "0.5"),
-        ] {
-            let scale = Scale::holding(error);
-            assert_eq!(scale.top, top, "{error}");
-            assert_eq!(scale.ticks()[1].to_string(), first);
-            assert_eq!(scale.ticks().last(), Some(&top));
-            assert_eq!(scale.position(top), 1.0);
-        }
+        assert_eq!([0.0, 255.0].map(position), [0.0, 1.0]);
+        // ln(1 + 4 * 0.5) / ln(1 + 4 * 255) = ln 3 / ln 1021.
+        assert!((position(0.5) - 3.0_f64.ln() / 1021.0_f64.ln()).abs() < 1e-12);
     }
 
     #[test]
@@ -241,7 +190,7 @@ mod tests {
         let found: Vec<Pixel> = compared(left, right).collect();
         let errors = [9.0, 255.0].map(Pixel::Error);
         assert_eq!(found, [Pixel::Nothing, Pixel::Edge, errors[0], errors[1]]);
-        let colors = found.into_iter().map(|it| Scale::WIDEST.color(it));
+        let colors = found.into_iter().map(color_of);
         let expected = [NOTHING, EDGE, color_at(0.506_5), color_at(1.0)];
         for (color, expected) in colors.zip(expected) {
             let [color, expected] = [color, expected].map(u32::to_be_bytes);
