@@ -17,7 +17,7 @@ use shadetrade::questions::prove;
 use shadetrade::questions::requires;
 use shadetrade::questions::trade;
 use shadetrade::questions::vary;
-use shadetrade::window::{self, NoDisplay};
+use shadetrade::window::{self, NoWindow};
 
 fn main() -> ExitCode {
     match cli::parse(std::env::args_os()).and_then(run) {
@@ -108,7 +108,7 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     let scene = output::one_line(output::quoted(&drawing.scene.name));
     let closed = window::run(drawing);
     if let Err(missing) = &closed
-        && missing.is::<NoDisplay>()
+        && let Some(NoWindow::NoDisplay(_)) = missing.downcast_ref()
         && is_plain
     {
         output::say(&format!("{missing}; drawing the figures instead"));
@@ -118,9 +118,9 @@ fn view(options: &ViewOptions) -> Result<(), Failure> {
     Ok(closed.map_err(|error| advise(error, &render))?)
 }
 
-/// Names a command that needs no display, if the window failed for lack of one.
+/// Names a command that needs no window, if none can be opened.
 fn advise(error: anyhow::Error, instead: &str) -> anyhow::Error {
-    if error.is::<NoDisplay>() {
+    if error.is::<NoWindow>() {
         return anyhow!("{error}; `shadetrade {instead} without one");
     }
     error

@@ -34,6 +34,8 @@ pub mod panel;
 pub mod pictures;
 #[cfg(not(target_family = "wasm"))]
 mod run;
+#[cfg(not(target_family = "wasm"))]
+pub mod screen;
 pub mod study;
 mod tags;
 pub mod unsaved;
@@ -43,6 +45,6 @@ pub mod widgets;
 pub mod words;
 
 #[cfg(not(target_family = "wasm"))]
-pub use display::{NoDisplay, restart_in_fit_environment};
+pub use display::{NoWindow, restart_in_fit_environment};
 #[cfg(not(target_family = "wasm"))]
 pub use run::run;

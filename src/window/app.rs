@@ -49,7 +49,7 @@ pub struct App {
     pub pixels: Vec<u32>,
     /// Width and height of the window, in pixels.
     pub(super) size: [usize; 2],
-    /// Pixels per point of egui before `Ctrl +`: those per CSS pixel in a browser.
+    /// Pixels per point of egui before `Ctrl +`: those of the screen, or those per CSS pixel in a browser.
     pub scale: f32,
 }
 
@@ -89,6 +89,15 @@ impl App {
             size: drawing.size,
             scale: 1.0,
         })
+    }
+
+    /// The factor of the letters' size that the user chose with `Ctrl +`.
+    pub fn zoom(&self) -> f32 {
+        self.painter.context.zoom_factor()
+    }
+
+    pub fn set_zoom(&mut self, zoom: f32) {
+        self.painter.context.set_zoom_factor(zoom);
     }
 
     /// The viewer of the scene.

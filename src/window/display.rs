@@ -12,6 +12,7 @@ use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOption
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
 use super::input::{Input, KeyReport};
+use super::screen::{Screen, x_screen};
 
 /// One notch of the wheel, as each window system reports it.
 const NOTCH: f32 = if cfg!(windows) {
@@ -23,16 +24,23 @@ const NOTCH: f32 = if cfg!(windows) {
 };
 const WAYLAND_NOTCH: f32 = -10.0;
 
-/// There is nothing to open a window on; nothing has been done.
+/// The bits a pixel that minifb shows.
+const DEPTH: u8 = 24;
+
+/// No window can be opened; nothing has been done.
 #[derive(Debug, thiserror::Error)]
-#[error("no display to open a window on ({reason})")]
-pub struct NoDisplay {
-    reason: &'static str,
+pub enum NoWindow {
+    #[error("no display to open a window on ({0})")]
+    NoDisplay(&'static str),
+    #[error("cannot open a window: the display has {0} bits a pixel, {DEPTH} are needed")]
+    Depth(u8),
 }
 
 /// An open window.
 pub struct Display {
     pub window: minifb::Window,
+    /// Pixels in a point of egui.
+    pub scale: f32,
     reports: Rc<RefCell<Vec<KeyReport>>>,
     /// Events that were not taken yet, in pixels of the window.
     pub input: Input,
@@ -62,10 +70,10 @@ impl InputCallback for Reporter {
 }
 
 impl Display {
-    /// Opens a window of `size` pixels.
+    /// Opens a window of `size` points.
     ///
     /// # Errors
-    /// [`NoDisplay`] when there is nothing to open it on; when it cannot be opened there.
+    /// [`NoWindow`] when there is nothing to open it on, or nothing with enough colours; when it cannot be opened there.
     pub fn open(title: &str, size: [usize; 2]) -> anyhow::Result<Self> {
         let options = WindowOptions {
             resize: true,
@@ -73,14 +81,26 @@ impl Display {
             scale_mode: ScaleMode::UpperLeft,
             ..WindowOptions::default()
         };
+        let screen = x_screen();
+        if let Some(Screen { depth, .. }) = screen
+            && depth != DEPTH
+        {
+            return Err(NoWindow::Depth(depth).into());
+        }
+        // A compositor of Wayland scales the window itself.
+        let scale = match screen {
+            Some(screen) if !is_set("WAYLAND_DISPLAY") => screen.scale,
+            _ => 1.0,
+        };
         // A window of no size ends the program inside Xlib.
-        let [width, height] = size.map(|side| side.max(1));
+        let [width, height] = size.map(|side| (side as f32 * scale).round().max(1.0) as usize);
         let mut window = minifb::Window::new(title, width, height, options).map_err(not_opened)?;
         let reports = Rc::new(RefCell::new(Vec::new()));
         window.set_input_callback(Box::new(Reporter(Rc::clone(&reports))));
         let handle = window.window_handle().map(|it| it.as_raw());
         Ok(Display {
             window,
+            scale,
             reports,
             input: Input::default(),
             clipboard: None,
@@ -215,7 +235,7 @@ fn not_opened(error: minifb::Error) -> anyhow::Error {
         "XOpenDisplay failed" => "the compositor that WAYLAND_DISPLAY names does not answer",
         _ => return anyhow!("cannot open a window: {reason}"),
     };
-    NoDisplay { reason }.into()
+    NoWindow::NoDisplay(reason).into()
 }
 
 /// Puts a key before its character, as X11 reports them; minifb has the other order on Wayland.

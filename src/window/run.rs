@@ -1,5 +1,6 @@
 //! The loop of the window: it decides when to step, to show the pixels again, and to sleep.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -10,6 +11,7 @@ use egui::{Event, RawInput};
 
 use super::app::App;
 use super::display::Display;
+use super::screen::{keep_zoom, kept_zoom};
 use super::study::Background;
 use super::unsaved::state_folder;
 use crate::questions::job::Drawing;
@@ -28,74 +30,138 @@ const PRESENT_SHARE: u32 = 200;
 /// Shows `drawing` in a window of its size until the user quits.
 ///
 /// # Errors
-/// [`NoDisplay`](super::NoDisplay) before anything else is done. Later, when the window system or the system fails, memory does not
+/// [`NoWindow`](super::NoWindow) before anything else is done. Later, when the window system or the system fails, memory does not
 /// suffice, or changes that were not saved cannot be written.
 pub fn run(drawing: Drawing) -> anyhow::Result<()> {
-    let mut display = Display::open("shadetrade", drawing.size)?;
-    let mut app = App::new(drawing, Background::Threads)?;
-    let start = Instant::now();
-    app.document.keep_edits(&state_folder());
-    let (mut title, mut window) = (String::new(), [0, 0]);
-    let (mut due, mut last_event, mut present_again) =
-        (Duration::ZERO, Duration::ZERO, Duration::ZERO);
-    let ends = Arc::new(AtomicBool::new(false));
-    let end = Arc::clone(&ends);
+    let mut session = Session::open(drawing)?;
+    let is_ended = Arc::new(AtomicBool::new(false));
+    let end = Arc::clone(&is_ended);
     ctrlc::set_handler(move || end.store(true, Ordering::Relaxed))
         .context("cannot wait for signals to end")?;
-    loop {
-        let must_end = !display.window.is_open() || ends.load(Ordering::Relaxed);
-        if app.desk.quits || must_end {
-            if app.may_close(must_end)? {
-                return Ok(());
+    while session.stays_open(is_ended.load(Ordering::Relaxed))? {
+        session.turn()?;
+    }
+    Ok(())
+}
+
+/// The program in its window. Times count from the start.
+struct Session {
+    display: Display,
+    app: App,
+    /// The folder of the program's state.
+    folder: PathBuf,
+    start: Instant,
+    title: String,
+    /// Width and height of the window in pixels.
+    size: [usize; 2],
+    /// When a step is wanted even if nothing happens.
+    due: Duration,
+    last_event: Duration,
+    /// When the pixels are shown again.
+    present_again: Duration,
+}
+
+impl Session {
+    fn open(drawing: Drawing) -> anyhow::Result<Self> {
+        let display = Display::open("shadetrade", drawing.size)?;
+        let mut app = App::new(drawing, Background::Threads)?;
+        let folder = state_folder();
+        app.document.keep_edits(&folder);
+        app.scale = display.scale;
+        app.set_zoom(kept_zoom(&folder));
+        Ok(Session {
+            display,
+            app,
+            folder,
+            start: Instant::now(),
+            title: String::new(),
+            size: [0, 0],
+            due: Duration::ZERO,
+            last_event: Duration::ZERO,
+            present_again: Duration::ZERO,
+        })
+    }
+
+    /// Whether the window stays open. A signal or the window's frame may end it.
+    fn stays_open(&mut self, is_ended: bool) -> anyhow::Result<bool> {
+        let must_close = is_ended || !self.display.window.is_open();
+        if self.app.desk.quits || must_close {
+            if self.app.may_close(must_close)? {
+                return Ok(false);
             }
-            due = Duration::ZERO;
+            self.due = Duration::ZERO;
         }
-        let now = start.elapsed();
-        if std::mem::take(&mut display.input.pastes) {
-            let text = display.clipboard().and_then(|it| Ok(it.get_text()?));
-            match text {
-                Ok(text) => display.input.events.push(Event::Paste(text)),
-                Err(error) => app.desk.say(format!("not pasted: {error:#}")),
-            }
-            due = now;
+        Ok(true)
+    }
+
+    /// Takes a step if something happened, shows the pixels again if that is due, and sleeps.
+    fn turn(&mut self) -> anyhow::Result<()> {
+        let now = self.start.elapsed();
+        if std::mem::take(&mut self.display.input.pastes) {
+            self.paste();
+            self.due = now;
         }
-        let has_events = !display.input.events.is_empty();
+        let has_events = !self.display.input.events.is_empty();
         if has_events {
-            last_event = now;
+            self.last_event = now;
         }
-        let is_resized = std::mem::replace(&mut window, display.size()) != window;
-        if has_events || is_resized || now >= due || app.receive(now) {
-            let input = RawInput {
-                modifiers: display.input.modifiers,
-                events: std::mem::take(&mut display.input.events),
-                ..RawInput::default()
-            };
-            let output = app.step(now, window, input)?;
-            due = now.saturating_add(output.repaint_after);
-            let new = app.document.title();
-            if title != new {
-                title = new;
-                display.window.set_title(&title);
-            }
-            if let Some(text) = output.copied
-                && let Err(error) = display.clipboard().and_then(|it| Ok(it.set_text(text)?))
-            {
-                app.desk.say(format!("not copied: {error:#}"));
-            }
-            display.present(&app.pixels, app.size)?;
-            present_again = now + PRESENT_AGAIN;
-        } else if now >= present_again {
-            let before = start.elapsed();
-            display.present(&app.pixels, app.size)?;
-            let after = start.elapsed();
-            present_again = after + PRESENT_AGAIN.max(after.saturating_sub(before) * PRESENT_SHARE);
+        let size = self.display.size();
+        let is_resized = std::mem::replace(&mut self.size, size) != size;
+        if has_events || is_resized || now >= self.due || self.app.receive(now) {
+            self.step(now)?;
+            self.display.present(&self.app.pixels, self.app.size)?;
+            self.present_again = now + PRESENT_AGAIN;
+        } else if now >= self.present_again {
+            self.display.present(&self.app.pixels, self.app.size)?;
+            let after = self.start.elapsed();
+            let pause = PRESENT_AGAIN.max(after.saturating_sub(now) * PRESENT_SHARE);
+            self.present_again = after + pause;
         } else {
-            display.poll();
+            self.display.poll();
         }
-        if display.input.events.is_empty() {
-            let is_busy = now < last_event + BUSY_TIME || display.is_busy();
+        if self.display.input.events.is_empty() {
+            let is_busy = now < self.last_event + BUSY_TIME || self.display.is_busy();
             let pause = if is_busy { BUSY_PAUSE } else { IDLE_PAUSE };
-            thread::sleep(pause.min(due.saturating_sub(now)));
+            thread::sleep(pause.min(self.due.saturating_sub(now)));
         }
+        Ok(())
+    }
+
+    /// Reads the clipboard.
+    fn paste(&mut self) {
+        let clipboard = self.display.clipboard();
+        match clipboard.and_then(|it| Ok(it.get_text()?)) {
+            Ok(text) => self.display.input.events.push(Event::Paste(text)),
+            Err(error) => self.app.desk.say(format!("not pasted: {error:#}")),
+        }
+    }
+
+    /// Hands the events to the program, and carries out what it wants of the system.
+    fn step(&mut self, now: Duration) -> anyhow::Result<()> {
+        let input = RawInput {
+            modifiers: self.display.input.modifiers,
+            events: std::mem::take(&mut self.display.input.events),
+            ..RawInput::default()
+        };
+        let zoom = self.app.zoom();
+        let output = self.app.step(now, self.size, input)?;
+        self.due = now.saturating_add(output.repaint_after);
+        let title = self.app.document.title();
+        if self.title != title {
+            self.display.window.set_title(&title);
+            self.title = title;
+        }
+        if let Some(text) = output.copied {
+            let clipboard = self.display.clipboard();
+            if let Err(error) = clipboard.and_then(|it| Ok(it.set_text(text)?)) {
+                self.app.desk.say(format!("not copied: {error:#}"));
+            }
+        }
+        if self.app.zoom() != zoom
+            && let Err(error) = keep_zoom(&self.folder, self.app.zoom())
+        {
+            self.app.desk.say(format!("{error:#}"));
+        }
+        Ok(())
     }
 }

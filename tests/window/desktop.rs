@@ -1,6 +1,7 @@
 //! An X server for a test, and the program with its window on it.
 
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -18,18 +19,19 @@ const PATIENCE: Duration = Duration::from_mins(1);
 const SCREEN: (u32, u32) = (3840, 2160);
 
 /// An X server without a screen.
-struct Display {
+pub struct Display {
     server: Child,
     manager: Option<Child>,
     name: String,
 }
 
 impl Display {
-    pub fn start() -> Self {
+    /// Starts one with so many bits a pixel.
+    pub fn start(depth: u8) -> Self {
         let (width, height) = SCREEN;
         let mut server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-screen", "0"])
-            .arg(format!("{width}x{height}x24"))
+            .arg(format!("{width}x{height}x{depth}"))
             .args(["-nolisten", "tcp", "-noreset"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -56,6 +58,25 @@ impl Display {
             .unwrap_or_else(|error| panic!("{program}: {error}"))
             .stdout
     }
+
+    /// Sets the dots per inch of the screen.
+    pub fn set_dpi(&self, dpi: u32) {
+        let value = format!("Xft.dpi:\t{dpi}");
+        let name = "RESOURCE_MANAGER";
+        self.run("xprop", &["-root", "-f", name, "8s", "-set", name, &value]);
+    }
+
+    /// The program on this display, in a folder.
+    pub fn command(&self, folder: &Path) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_shadetrade"));
+        command
+            .current_dir(folder)
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("XMODIFIERS")
+            .env("DISPLAY", &self.name)
+            .env("XDG_STATE_HOME", folder);
+        command
+    }
 }
 
 impl Drop for Display {
@@ -77,15 +98,20 @@ pub struct Program {
 
 impl Program {
     pub fn open(arguments: &[&str], environment: &[(&str, &str)]) -> Self {
-        let display = Display::start();
         let folder = tempfile::tempdir().expect("a temporary folder");
-        let child = Command::new(env!("CARGO_BIN_EXE_shadetrade"))
+        Program::open_on(Display::start(24), folder, arguments, environment)
+    }
+
+    /// Opens the program on a display, in a folder.
+    pub fn open_on(
+        display: Display,
+        folder: TempDir,
+        arguments: &[&str],
+        environment: &[(&str, &str)],
+    ) -> Self {
+        let child = display
+            .command(folder.path())
             .args(arguments)
-            .current_dir(folder.path())
-            .env_remove("WAYLAND_DISPLAY")
-            .env_remove("XMODIFIERS")
-            .env("DISPLAY", &display.name)
-            .env("XDG_STATE_HOME", folder.path())
             .envs(environment.iter().copied())
             .spawn()
             .expect("the program starts");
@@ -219,6 +245,12 @@ impl Program {
         self.press("q");
         let status = self.ended();
         assert!(status.success(), "{status}");
+    }
+
+    /// The folder, which a later start takes over.
+    pub fn take_folder(&mut self) -> TempDir {
+        let other = tempfile::tempdir().expect("a temporary folder");
+        std::mem::replace(&mut self.folder, other)
     }
 }
 

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use fearless_simd::Level;
 use image::RgbImage;
 
-use super::desktop::{Point, Program, until};
+use super::desktop::{Display, Point, Program, until};
 use super::signal;
 use super::support::{app, default_scene, places, widgets};
 use shadetrade::window::inspector::Tab;
@@ -182,6 +182,61 @@ fn an_input_method_that_does_not_run_is_harmless() {
     let program = Program::open(&["assignment"], &[("XMODIFIERS", "@im=ibus")]);
     let title = "the arguments are handed on";
     until(title, || program.title().contains("assignment"));
+    program.quit();
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
+fn a_display_without_24_bits_is_an_error_in_words() {
+    for depth in [8, 16, 30] {
+        let (display, folder) = (
+            Display::start(depth),
+            tempfile::tempdir().expect("a folder"),
+        );
+        for arguments in [&[][..], &["lesson", "how-many-vertices"]] {
+            let output = display.command(folder.path()).args(arguments).output();
+            let output = output.expect("the program starts");
+            let text = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{depth}: {text}");
+            let is_told = text.contains(&format!("{depth} bits")) && text.contains("without");
+            assert!(is_told, "{text}");
+        }
+        assert_eq!(fs::read_dir(folder.path()).expect("listed").count(), 0);
+    }
+}
+
+#[test]
+#[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils"]
+fn letters_have_the_size_of_the_screen_and_of_the_user_s_choice() {
+    let open = |folder, dpi| {
+        let display = Display::start(24);
+        display.set_dpi(dpi);
+        Program::open_on(display, folder, &[], &[])
+    };
+    let mut program = open(tempfile::tempdir().expect("a folder"), 96);
+    let is_light = |pixel: &&image::Rgb<u8>| pixel.0.iter().all(|it| *it > 150);
+    let light = |picture: &RgbImage| picture.pixels().filter(is_light).count() as f64;
+    let usual = light(&program.picture());
+    // The second start goes on from the choice of the first.
+    let mut chosen = 1.0;
+    for _ in 0..2 {
+        let file = program.folder.path().join("shadetrade/zoom");
+        let kept = || fs::read_to_string(&file).ok()?.parse::<f32>().ok();
+        program.press("ctrl+plus");
+        until("the choice is kept", || {
+            kept().is_some_and(|it| it > chosen)
+        });
+        chosen = kept().expect("a number");
+        let folder = program.take_folder();
+        program.quit();
+        program = open(folder, 96);
+    }
+    program = open(tempfile::tempdir().expect("a folder"), 192);
+    let picture = program.picture();
+    assert_eq!(picture.dimensions(), (1920, 1440));
+    // Letters twice as large have about four times as many pixels.
+    let factor = light(&picture) / usual;
+    assert!((2.5..6.0).contains(&factor), "{factor}");
     program.quit();
 }
 
