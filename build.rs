@@ -1,4 +1,4 @@
-//! Builds in the version of the compiler, for the reports of `trade`, and the scenes and lessons of `assets`.
+//! Builds in the version of the compiler, for the reports of `trade`, and the extremes of `assets`.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -15,18 +15,15 @@ fn main() -> io::Result<()> {
         .unwrap_or_else(|| "unknown".to_owned());
     println!("cargo::rustc-env=SHADETRADE_RUSTC={}", version.trim());
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=assets/extremes");
     let folder = |name| PathBuf::from(env::var_os(name).unwrap_or_default());
-    for kind in ["extremes", "lessons"] {
-        println!("cargo::rerun-if-changed=assets/{kind}");
-        let texts = folder("CARGO_MANIFEST_DIR").join("assets").join(kind);
-        let array = folder("OUT_DIR").join(kind).with_extension("rs");
-        fs::write(array, table(&texts, kind)?)?;
-    }
+    let texts = folder("CARGO_MANIFEST_DIR").join("assets/extremes");
+    fs::write(folder("OUT_DIR").join("extremes.rs"), table(&texts)?)?;
     Ok(())
 }
 
 /// A Rust array of the names and texts of the TOML files in a folder, sorted by name. The index of the extremes is not one.
-fn table(folder: &Path, kind: &str) -> io::Result<String> {
+fn table(folder: &Path) -> io::Result<String> {
     let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
     let mut paths = entries.collect::<io::Result<Vec<_>>>()?;
     paths.sort();
@@ -35,7 +32,7 @@ fn table(folder: &Path, kind: &str) -> io::Result<String> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         if name != "index" && path.extension().is_some_and(|it| it == "toml") {
             let text = path.to_string_lossy();
-            let _ = writeln!(table, "(\"{kind}/{name}\", include_str!({text:?})),");
+            let _ = writeln!(table, "(\"extremes/{name}\", include_str!({text:?})),");
         }
     }
     Ok(table + "]")

@@ -26,7 +26,7 @@ use anyhow::{anyhow, bail, ensure};
 use hecs::World;
 
 pub use self::check::{MAX_SIDE, Mistake};
-pub use self::lesson::{LESSONS, Step};
+pub use self::lesson::{Control, LESSONS, Question, Step, title};
 pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
 pub use crate::components::range;

@@ -4,8 +4,12 @@
 //! scene = "cuboid"             # a built-in scene, or a file beside the lesson
 //!
 //! [[step]]
-//! say = "No vertex lies in the highlight, so Gouraud misses it."
+//! say = "Light is computed at the corners of each side. Where is the bright spot?"
 //! set = { cuboid.emerald.shading = "gouraud", view.tolerance = 0 }
+//! show = ["segments", "row"]   # optional: the controls of this step
+//! ask = ["in the middle", "nowhere"]      # optional: answers to choose from
+//! right = 2                    # the right one, counted from 1
+//! then = "Nowhere: no corner lies in it." # the sentence once an answer is chosen
 //! ```
 
 use std::ops::Range;
@@ -19,11 +23,29 @@ use toml::{Table, Value};
 use super::check::span;
 use super::key::Key;
 use super::{Scene, SceneRecord, built_in, error, read_text, updated};
+use crate::report::words::capital;
 
-/// The built-in lessons, as name (`lessons/NAME`) and text, ordered by name.
-pub const LESSONS: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/lessons.rs"));
+/// The built-in lessons, as name (`lessons/NAME`) and text, in the order in which they are read.
+pub const LESSONS: [(&str, &str); 4] = [
+    (
+        "lessons/why-the-plane-stays-dull",
+        include_str!("../../assets/lessons/why-the-plane-stays-dull.toml"),
+    ),
+    (
+        "lessons/smooth-or-sharp-edges",
+        include_str!("../../assets/lessons/smooth-or-sharp-edges.toml"),
+    ),
+    (
+        "lessons/how-many-vertices",
+        include_str!("../../assets/lessons/how-many-vertices.toml"),
+    ),
+    (
+        "lessons/what-a-tolerance-buys",
+        include_str!("../../assets/lessons/what-a-tolerance-buys.toml"),
+    ),
+];
 
-/// The most letters of a sentence.
+/// The most letters of a sentence or of an answer.
 const MOST_LETTERS: usize = 200;
 
 /// A step of a lesson.
@@ -31,8 +53,37 @@ const MOST_LETTERS: usize = 200;
 pub struct Step {
     /// Its sentence.
     pub say: String,
+    pub show: Vec<Control>,
+    pub question: Option<Question>,
     /// The scene after this step.
     pub record: Arc<SceneRecord>,
+}
+
+/// A control of a step: the last part of the keys that it changes, or the curve along the row of the explained pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Control {
+    Shading,
+    Normals,
+    Segments,
+    Tolerance,
+    Shininess,
+    Intensity,
+    /// Which lights are on.
+    On,
+    /// The views of the picture.
+    Show,
+    Row,
+}
+
+/// A question that the sentence of a step asks.
+#[derive(Debug)]
+pub struct Question {
+    pub answers: Vec<String>,
+    /// The place of the right answer, counted from 0.
+    pub right: usize,
+    /// The sentence once an answer is chosen.
+    pub then: String,
 }
 
 /// The file of a lesson.
@@ -40,6 +91,7 @@ pub struct Step {
 #[serde(deny_unknown_fields, expecting = "a table")]
 struct LessonRecord {
     scene: String,
+    #[serde(default)]
     step: Vec<StepRecord>,
 }
 
@@ -49,6 +101,21 @@ struct StepRecord {
     say: String,
     #[serde(default)]
     set: Table,
+    #[serde(default)]
+    show: Vec<Control>,
+    #[serde(default)]
+    ask: Vec<String>,
+    right: Option<usize>,
+    then: Option<String>,
+}
+
+/// Keys of a step, and what is wrong with the value there.
+type Fault = (Vec<String>, String);
+
+/// The title of the lesson of this name or file: `lessons/how-many-vertices` is "How many vertices".
+pub fn title(name: &str) -> String {
+    let stem = Path::new(name).file_stem().unwrap_or_default();
+    capital(&stem.to_string_lossy().replace('-', " "))
 }
 
 impl Scene {
@@ -66,7 +133,7 @@ impl Scene {
         if let Some((name, text)) = LESSONS.iter().find(|(name, _)| is_named(name)) {
             return Scene::parse_lesson(name, text, Path::new(""));
         }
-        let text = read_text(path, "lesson", LESSONS)?;
+        let text = read_text(path, "lesson", &LESSONS)?;
         let folder = path.parent().unwrap_or(path);
         Scene::parse_lesson(&path.to_string_lossy(), &text, folder)
     }
@@ -89,7 +156,7 @@ impl Scene {
         let scene = scene.map_err(|why| located((whole("scene"), why.to_string())))?;
         let mut record = SceneRecord::of(&scene.world);
         let step = |(index, step): (usize, StepRecord)| {
-            let fault = |(keys, why): (Vec<String>, _)| (span(text, "step", index, &keys), why);
+            let fault = |(keys, why): Fault| (span(text, "step", index, &keys), why);
             step.applied_to(&mut record).map_err(fault).map_err(located)
         };
         let steps: Vec<Step> = lesson
@@ -111,28 +178,68 @@ impl Scene {
 }
 
 impl StepRecord {
-    /// Changes a scene by this step. An error has the key in the step.
-    fn applied_to(self, record: &mut SceneRecord) -> Result<Step, (Vec<String>, String)> {
-        let own = |key: &str| vec![key.to_owned()];
-        let letters = self.say.chars().count();
-        if letters > MOST_LETTERS {
-            let why = format!("a sentence of {letters} letters, expected at most {MOST_LETTERS}");
-            return Err((own("say"), why));
-        }
+    /// Changes a scene by this step.
+    fn applied_to(self, record: &mut SceneRecord) -> Result<Step, Fault> {
+        self.check_texts()?;
+        let question = self.question()?;
+        let own = || vec!["set".to_owned()];
         let mut values = Vec::new();
         collect(&Key::default(), self.set.into(), &mut values);
         for (key, value) in values {
-            let place = || [own("set"), key.parts().to_vec()].concat();
+            let place = || [own(), key.parts().to_vec()].concat();
             key.write(record, value)
                 .map_err(|why| (place(), why.to_string()))?;
         }
-        record
-            .check()
-            .map_err(|why| (own("set"), why.to_string()))?;
+        record.check().map_err(|why| (own(), why.to_string()))?;
         Ok(Step {
             say: self.say,
+            show: self.show,
+            question,
             record: Arc::new(record.clone()),
         })
+    }
+
+    /// Refuses a text that is too long to be read above a picture.
+    fn check_texts(&self) -> Result<(), Fault> {
+        let answers = self.ask.iter().map(|text| ("ask", text));
+        let then = self.then.iter().map(|text| ("then", text));
+        for (key, text) in answers.chain(then).chain([("say", &self.say)]) {
+            let letters = text.chars().count();
+            if letters > MOST_LETTERS {
+                let why = format!("a text of {letters} letters, expected at most {MOST_LETTERS}");
+                return Err((vec![key.to_owned()], why));
+            }
+        }
+        Ok(())
+    }
+
+    /// The question, if the step asks one.
+    fn question(&self) -> Result<Option<Question>, Fault> {
+        let fault = |key: &str, why: String| Err((vec![key.to_owned()], why));
+        let count = self.ask.len();
+        match (self.right, &self.then) {
+            (None, None) if count == 0 => Ok(None),
+            _ if count < 2 => {
+                let why = "expected `ask` with two or more answers, `right` and `then`";
+                fault("ask", why.to_owned())
+            }
+            (Some(right @ 1..), Some(then)) if right <= count => Ok(Some(Question {
+                answers: self.ask.clone(),
+                right: right - 1,
+                then: then.clone(),
+            })),
+            (Some(1..), None) => fault(
+                "then",
+                "missing field `then`, expected the sentence after an answer".to_owned(),
+            ),
+            (right, _) => {
+                let found = right.map_or("missing field `right`".to_owned(), |right| {
+                    format!("invalid value: {right}")
+                });
+                let why = format!("{found}, expected the number of an answer from 1 to {count}");
+                fault("right", why)
+            }
+        }
     }
 }
 

@@ -285,7 +285,7 @@ fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
     let mut chosen = None;
     for (group, scenes) in [
         ("scenes", &BUILT_IN[..]),
-        ("lessons", LESSONS),
+        ("lessons", &LESSONS[..]),
         ("extremes", EXTREMES),
     ] {
         ui.strong(group);

@@ -3,11 +3,14 @@
 use std::path::Path;
 
 use shadetrade::components::{ShadingMode, ViewMode};
-use shadetrade::scene::{LESSONS, Scene, SceneRecord};
+use shadetrade::scene::{Control, LESSONS, Scene, SceneRecord};
 
 fn read(text: &str) -> anyhow::Result<Scene> {
     Scene::parse_lesson("a.toml", text, Path::new(""))
 }
+
+/// The message about a lesson without steps.
+const NO_STEP: &str = "expected one or more tables, each headed `[[step]]`";
 
 #[test]
 fn every_built_in_lesson_opens_at_its_first_step_and_each_step_changes_something() {
@@ -57,6 +60,28 @@ view."show" = "error"
 }
 
 #[test]
+fn a_step_may_ask_a_question_and_show_controls() {
+    let scene = read(
+        "scene = 'cuboid'
+[[step]]
+say = 'Where?'
+show = ['segments', 'row']
+ask = ['here', 'there', 'nowhere']
+right = 3
+then = 'Nowhere.'
+[[step]]
+say = 'So.'
+",
+    );
+    let steps = scene.expect("a lesson").lesson;
+    assert_eq!(steps[0].show, [Control::Segments, Control::Row]);
+    let question = steps[0].question.as_ref().expect("a question");
+    assert_eq!(question.answers[question.right], "nowhere");
+    assert_eq!(question.then, "Nowhere.");
+    assert!(steps[1].question.is_none() && steps[1].show.is_empty());
+}
+
+#[test]
 fn a_mistake_has_its_place() {
     let long = "x".repeat(201);
     for (steps, place, words) in [
@@ -83,8 +108,48 @@ fn a_mistake_has_its_place() {
         ("[[step]]\nset = {}", "2:1", "say"),
         ("[[step]]\nsay = 'a'\nwords = 1", "4:1", "words"),
         ("[step]\nsay = 'a'", "2:1", "[[step]]"),
-        ("", "1:1", "step"),
-        ("step = []", "2:8", "[[step]]"),
+        ("", "1:1", NO_STEP),
+        ("step = []", "2:8", NO_STEP),
+        (
+            "[[step]]\nsay = 'a'\nshow = ['segments', 'colour']",
+            "4:21",
+            "`segments`",
+        ),
+        (
+            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nright = 3\nthen = 'd'",
+            "5:9",
+            "from 1 to 2",
+        ),
+        (
+            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nright = 0",
+            "5:9",
+            "from 1 to 2",
+        ),
+        (
+            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nthen = 'd'",
+            "2:1",
+            "`right`, expected the number",
+        ),
+        (
+            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nright = 1",
+            "2:1",
+            "`then`, expected the sentence",
+        ),
+        (
+            "[[step]]\nsay = 'a'\nask = ['b']\nright = 1\nthen = 'd'",
+            "4:7",
+            "two or more answers",
+        ),
+        (
+            "[[step]]\nsay = 'a'\nright = 1",
+            "2:1",
+            "two or more answers",
+        ),
+        (
+            &format!("[[step]]\nsay = 'a'\nask = ['b', '{long}']"),
+            "4:7",
+            "at most 200",
+        ),
         (&format!("[[step]]\nsay = '{long}'"), "3:7", "at most 200"),
     ] {
         let text = format!("scene = \"cuboid\"\n{steps}");
