@@ -144,18 +144,27 @@ Examples:
 Every pixel is proven as by `prove`, from each camera, in both projections and both modes, at
 tolerance 0 and 0.5; of some scenes in fewer pictures. Exit status 1 if an extreme fails.")]
     Extremes(ExtremesOptions),
-    /// Plays a lesson in a window, or draws it into a file
+    /// Plays a lesson in a window, or draws all its steps on a sheet
     #[command(after_help = "\
 Examples:
   shadetrade lesson why-the-plane-stays-dull
-  shadetrade lesson my-lesson.toml -o lesson.apng
+  shadetrade lesson --list
+  shadetrade lesson my-lesson.toml -o lesson.png
 
-A lesson is a TOML file with a scene and steps, each a sentence of at most 200 letters and values of keys:
+A lesson is a TOML file with a scene and steps. Each step has a sentence of at most 200 letters. It may change values
+of keys, show controls, and ask a question:
 
   scene = \"cuboid\"
   [[step]]
-  say = \"No vertex lies in the highlight.\"
-  set = { cuboid.emerald.shading = \"gouraud\" }")]
+  say = \"Light is computed at the corners of each side. Where is the bright spot?\"
+  set = { cuboid.emerald.shading = \"gouraud\" }
+  show = [\"shading\", \"segments\"]
+  ask = [\"in the middle\", \"nowhere\"]
+  right = 2
+  then = \"Nowhere: no corner lies in it.\"
+
+Controls are shading, normals, segments, tolerance, shininess, intensity, on, show, and row, the curve along the row of
+view.pixel.")]
     Lesson(LessonOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "Example:\n  shadetrade completions bash > shadetrade.bash")]

@@ -175,7 +175,7 @@
 //!   where [`scene::SceneRecord`] spawns it and takes it from a world;
 //! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
 //!   its table of `assets/scenes/cuboid.toml`, which is its tooltip;
-//! - a lesson: a file in `assets/lessons`, which is built in;
+//! - a lesson: a file in `assets/lessons`, and its row of [`scene::LESSONS`];
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
 //!   `window/actions.rs` that writes components; help and tooltips show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`; in `cli.rs`, a row of

@@ -8,7 +8,7 @@ use anyhow::anyhow;
 use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, LessonOptions, ProbeOptions, ViewOptions,
 };
-use shadetrade::output;
+use shadetrade::output::{self, Output};
 use shadetrade::questions::export;
 use shadetrade::questions::extremes;
 use shadetrade::questions::figures;
@@ -17,6 +17,7 @@ use shadetrade::questions::prove;
 use shadetrade::questions::requires;
 use shadetrade::questions::trade;
 use shadetrade::questions::vary;
+use shadetrade::scene::{LESSONS, first_sentence};
 use shadetrade::window::{self, NoWindow};
 
 fn main() -> ExitCode {
@@ -126,14 +127,19 @@ fn advise(error: anyhow::Error, instead: &str) -> anyhow::Error {
     error
 }
 
-/// Plays a lesson in a window, or draws it into a file.
+/// Plays a lesson in a window, draws it into a file, or lists those that are built in.
 fn lesson(options: &LessonOptions) -> Result<(), Failure> {
+    if options.list {
+        let name = |name: &'static str| name.trim_start_matches("lessons/");
+        let lines = LESSONS.map(|it| format!("{:<26}{}", name(it.0), first_sentence(it.1)));
+        return Ok(Output::Stdout.write(lines.join("\n") + "\n")?);
+    }
     let Some(output) = &options.output else {
         window::restart_in_fit_environment()?;
         let drawing = options.open()?;
         let name = output::quoted(&drawing.scene.name);
-        let draw = format!("lesson {name} -o FILE.apng` draws it");
+        let draw = format!("lesson {name} -o FILE.png` draws it");
         return Ok(window::run(drawing).map_err(|error| advise(error, &draw))?);
     };
-    Ok(window::lesson::draw(options.open()?, output)?)
+    Ok(window::lesson::draw(&options.open()?, output)?)
 }

@@ -21,7 +21,7 @@ use serde::Serialize;
 pub use self::progress::{CANCELLED, Monitor, finished};
 use crate::output::files::descriptor;
 pub use crate::output::files::one_line;
-pub use png::{Animation, encode_png};
+pub use png::encode_png;
 
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -27,6 +27,7 @@ pub mod history;
 pub mod input;
 pub mod inspector;
 pub mod keys;
+pub mod labels;
 mod layout;
 pub mod lesson;
 pub mod lights;

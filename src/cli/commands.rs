@@ -41,14 +41,17 @@ pub struct ViewOptions {
 #[derive(Args, Debug)]
 pub struct LessonOptions {
     /// A built-in lesson, or the file of one
-    #[arg(value_name = "NAME|FILE")]
-    pub lesson: PathBuf,
-    /// The PNG file of the last step, `-` for standard output; all steps if it ends in .apng [default: play in a window]
-    #[arg(short, long, value_name = "FILE", value_parser = file(&["png", "apng"]))]
+    #[arg(value_name = "NAME|FILE", required_unless_present = "list")]
+    pub lesson: Option<PathBuf>,
+    /// The PNG file of a sheet with all steps, `-` for standard output [default: play in a window]
+    #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Option<Output>,
-    /// The size of the window in pixels, 1x1 to 16384x16384
-    #[arg(long, default_value = "960x720", value_name = "WIDTHxHEIGHT", value_parser = options::size, allow_hyphen_values = true)]
-    pub size: [usize; 2],
+    /// Names the built-in lessons with their first sentences
+    #[arg(long, exclusive = true)]
+    pub list: bool,
+    /// The size in pixels, 1x1 to 16384x16384, of the window or of each picture of the sheet [default: 960x720, or 640x480]
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = options::size, allow_hyphen_values = true)]
+    pub size: Option<[usize; 2]>,
     /// The SIMD level and the threads.
     #[command(flatten)]
     pub workers: WorkerOptions,
@@ -60,11 +63,13 @@ impl LessonOptions {
     /// # Errors
     /// [`Failure::Usage`] if it is wrong, or its file is the output. [`Failure::Work`] if the output is in no folder.
     pub fn open(&self) -> Result<Drawing, Failure> {
-        let scene = Scene::load_lesson(&self.lesson).map_err(Failure::Usage)?;
-        options::check_output(Some(&self.lesson), self.output.as_ref())?;
+        let lesson = self.lesson.as_deref().unwrap_or(Path::new(""));
+        let scene = Scene::load_lesson(lesson).map_err(Failure::Usage)?;
+        options::check_output(Some(lesson), self.output.as_ref())?;
+        let usual = self.output.as_ref().map_or([960, 720], |_| [640, 480]);
         Ok(Drawing {
             scene,
-            size: self.size,
+            size: self.size.unwrap_or(usual),
             threads: self.workers.threads(),
             level: self.workers.simd,
         })

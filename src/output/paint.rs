@@ -2,7 +2,10 @@
 //!
 //! A pixel is `0x00RRGGBB`. Where egui has painted, its top byte is egui's alpha.
 
-use egui::{Color32, Context, FullOutput, LayerId, RawInput, Rect, pos2};
+use std::collections::BTreeSet;
+
+use egui::epaint::text::FontsView;
+use egui::{Color32, Context, FontId, FullOutput, RawInput, Rect, Ui, pos2};
 use egui_software_backend::{BufferMutRef, ColorFieldOrder, EguiSoftwareRender};
 
 /// The state of egui, and a software rasterizer for its triangles.
@@ -46,24 +49,36 @@ pub fn color(pixel: u32) -> Color32 {
 }
 
 /// Draws text and shapes over a finished picture; one point is one pixel.
-pub fn annotate(pixels: &mut [u32], size: [usize; 2], mut draw: impl FnMut(&egui::Painter)) {
+pub fn annotate(pixels: &mut [u32], size: [usize; 2], draw: impl FnMut(&mut Ui)) {
     let mut painter = Painter::default();
     let input = RawInput {
         screen_rect: Some(area(size)),
         ..RawInput::default()
     };
-    let output = painter.context.run_ui(input, |ui| {
-        draw(&ui.ctx().layer_painter(LayerId::background()));
-    });
+    let output = painter.context.run_ui(input, draw);
     painter.paint(output, pixels, size);
     for pixel in pixels {
         *pixel &= 0x00ff_ffff;
     }
 }
 
+/// The letters of a text that the font lacks, each once. They are painted as boxes.
+pub fn missing_letters(text: &str) -> String {
+    let mut letters: BTreeSet<char> = text.chars().filter(|it| !it.is_ascii()).collect();
+    if !letters.is_empty() {
+        // A context has its fonts from the first pass on.
+        let _ = Context::default().run_ui(RawInput::default(), |ui| {
+            let lacks =
+                |fonts: &mut FontsView, letter: char| !fonts.has_glyph(&FontId::default(), letter);
+            ui.fonts_mut(|fonts| letters.retain(|letter| lacks(fonts, *letter)));
+        });
+    }
+    letters.into_iter().collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use egui::{Align2, FontId};
+    use egui::Align2;
 
     use super::*;
 
@@ -71,7 +86,8 @@ mod tests {
     fn text_and_shapes_are_painted_in_their_colors_at_their_positions() {
         let size = [40, 30];
         let mut pixels = vec![0x0012_3456; size[0] * size[1]];
-        annotate(&mut pixels, size, |painter| {
+        annotate(&mut pixels, size, |ui| {
+            let painter = ui.painter();
             let bar = Rect::from_min_max(pos2(2.0, 3.0), pos2(6.0, 9.0));
             painter.rect_filled(bar, 0.0, color(0x00ff_8000));
             painter.text(

@@ -3,7 +3,7 @@
 //! A rendered picture has the bytes of the window's frame.
 
 mod assignment;
-mod sheet;
+pub mod sheet;
 
 pub use assignment::figures;
 

@@ -23,7 +23,7 @@ use toml::{Table, Value};
 use super::check::span;
 use super::key::Key;
 use super::{Scene, SceneRecord, built_in, error, read_text, updated};
-use crate::report::words::capital;
+use crate::output::words::capital;
 
 /// The built-in lessons, as name (`lessons/NAME`) and text, in the order in which they are read.
 pub const LESSONS: [(&str, &str); 4] = [

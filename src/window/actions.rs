@@ -14,8 +14,8 @@ use crate::components::ViewMode;
 use crate::output::encode_png;
 use crate::output::files::write_numbered;
 use crate::questions::trade::Measurement;
-use crate::scene::SceneRecord;
 use crate::scene::key;
+use crate::scene::{BUILT_IN, SceneRecord};
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
@@ -60,6 +60,9 @@ impl App {
 
     /// Runs an action; one that cannot be run says so.
     pub fn run(&mut self, action: Action) {
+        let is_lesson = !self.document.scene.lesson.is_empty();
+        // They need room beside the picture.
+        self.desk.shows_rest |= matches!(action, Action::Tab(_) | Action::Worst);
         let world = &mut self.document.scene.world;
         match action {
             Action::Light(index) => self.desk.say_any(controls::switch_light(world, index)),
@@ -93,10 +96,11 @@ impl App {
                 let is_open = self.desk.tab == Some(tab);
                 self.desk.tab = (!is_open).then_some(tab);
             }
-            Action::Step(steps) => self.desk.say_any(self.document.step_lesson(steps)),
+            Action::Step(steps) => self.step_lesson(steps),
             Action::Undo | Action::Redo => self.travel(action == Action::Undo),
             Action::Save => self.save(false),
             Action::SaveAs => self.save(true),
+            Action::Panel if is_lesson => self.desk.shows_rest ^= true,
             Action::Panel => self.desk.panel_folded ^= true,
             Action::Help => self.desk.help ^= true,
             Action::Screenshot => self.save_pixels(&self.pixels.clone(), self.size),
@@ -157,10 +161,15 @@ impl App {
         }
     }
 
-    /// Closes the uppermost thing that can be closed.
+    /// Closes the uppermost thing that can be closed. A lesson that is alone is left for the default scene.
     fn close_uppermost(&mut self) {
-        let is_closed = self.desk.close()
-            || self.viewer_mut().pixel.take().is_some()
+        if self.desk.close() {
+            return;
+        }
+        if self.is_lesson_alone() {
+            return self.open(BUILT_IN[0].0);
+        }
+        let is_closed = self.viewer_mut().pixel.take().is_some()
             || !self.desk.has_room && self.desk.tab.take().is_some();
         if !is_closed {
             self.desk.say("Q quits");

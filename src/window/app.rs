@@ -23,6 +23,7 @@ use super::desk::{Command, Desk, TURN};
 use super::document::Document;
 use super::file::INTERVAL;
 use super::inspector::Tab;
+use super::lesson::letters_warning;
 use super::pictures::or_dimmed;
 use super::study::{Background, Study, Subject, change};
 use crate::components::{Mesh, Orbit, View, Viewer, active_camera, get, viewer, viewer_mut};
@@ -71,12 +72,13 @@ impl App {
         let document = Document::of(drawing.scene);
         let painter = Painter::default();
         super::widgets::apply_style(&painter.context);
-        let desk = Desk {
+        let mut desk = Desk {
             shows_times: true,
             panel_folded: drawing.size[0] < NARROW,
             tab: document.state.view.pixel.map(|_| Tab::Pixel),
             ..Desk::default()
         };
+        desk.say_any(letters_warning(&document.scene.lesson));
         Ok(App {
             document,
             canvas,
@@ -357,6 +359,9 @@ impl App {
 
     /// Shows a document that was just opened.
     fn show_document(&mut self) {
+        (self.desk.shows_rest, self.desk.answer) = (false, None);
+        self.desk
+            .say_any(letters_warning(&self.document.scene.lesson));
         self.study.clear();
         self.desk.selected = None;
         self.desk.tab = self.document.state.view.pixel.map(|_| Tab::Pixel);

@@ -28,6 +28,10 @@ pub struct Desk {
     pub is_warned: bool,
     pub help: bool,
     pub panel_folded: bool,
+    /// Whether everything else is shown beside a lesson.
+    pub shows_rest: bool,
+    /// The answer that was chosen to the question of a lesson's step, counted from 0.
+    pub answer: Option<usize>,
     /// Whether the inspector has a room of its own beside the picture.
     pub has_room: bool,
     /// The open tab of the inspector; `None` is folded.

@@ -98,7 +98,8 @@ pub fn with_legend(
     for (row, line) in map.chunks_exact(width).enumerate() {
         pixels[row * wide..][..width].copy_from_slice(line);
     }
-    annotate(&mut pixels[wide * height..], [wide, HEIGHT], |painter| {
+    annotate(&mut pixels[wide * height..], [wide, HEIGHT], |ui| {
+        let painter = ui.painter();
         let write = |x: f32, y: f32, size: f32, text: &str| {
             let font = FontId::proportional(size);
             painter.text(pos2(x, y), Align2::LEFT_CENTER, text, font, INK)

@@ -7,6 +7,7 @@ mod vary;
 
 use egui::{Grid, Ui};
 
+pub use self::pixel::section;
 pub use self::scene::entity_of;
 use super::app::App;
 use super::desk::Desk;

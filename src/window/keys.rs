@@ -142,7 +142,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Action::SaveAs)]),
     ]),
     ("Window", &[
-        ("left panel", "Folds and opens the panel on the left.", &[(NO, Key::I, Action::Panel)]),
+        ("left panel", "Folds and opens the panel on the left; in a lesson, everything but the lesson.", &[(NO, Key::I, Action::Panel)]),
         ("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
         ("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
         ("save picture", "Writes the picture alone, the error map or the wipe into a PNG file.", &[(SHIFT, Key::F12, Action::SavePicture)]),

@@ -13,7 +13,7 @@ use super::desk::Desk;
 use super::facts::Facts;
 use super::inspector::{Tab, inspector};
 use super::keys::{Action, BINDINGS, Binding, caption_of};
-use super::lesson::caption;
+use super::lesson::heading;
 use super::panel::panel;
 use super::study::Study;
 use super::tags::side_name;
@@ -44,6 +44,30 @@ impl App {
         let width = ui.available_width();
         self.desk.has_room = width >= WIDE;
         self.take_keys(ui);
+        if !self.is_lesson_alone() {
+            self.sides(ui, width);
+        }
+        if !self.document.scene.lesson.is_empty() {
+            let (document, desk) = (&self.document, &mut self.desk);
+            Panel::top("lesson").show_inside(ui, |ui| heading(ui, document, desk));
+            Panel::bottom("steps").show_inside(ui, |ui| self.lesson_controls(ui));
+        }
+        self.viewport(ui);
+        if let Some(place) = self.drawer_place() {
+            self.drawer(ui, place);
+        }
+        if self.desk.help {
+            self.desk.help = help(ui);
+        }
+        self.desk.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
+        for command in std::mem::take(&mut self.desk.commands) {
+            self.carry_out(command);
+        }
+        self.note_changes();
+    }
+
+    /// Lays out the status line, the panel and the inspector.
+    fn sides(&mut self, ui: &mut Ui, width: f32) {
         Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
         let usual = USUAL.min(width / 2.0);
         let most = if self.desk.has_room { 3.0 } else { 2.0 };
@@ -65,27 +89,11 @@ impl App {
         } else if is_opened(ui, Panel::right("drawer"), "⏴", "Opens the inspector.") {
             self.desk.tab = self.desk.tab.or(Some(Tab::Pixel));
         }
-        if !self.document.scene.lesson.is_empty() {
-            let (document, desk) = (&self.document, &mut self.desk);
-            Panel::top("lesson").show_inside(ui, |ui| caption(ui, document, desk));
-        }
-        self.viewport(ui);
-        if let Some(place) = self.drawer_place() {
-            self.drawer(ui, place);
-        }
-        if self.desk.help {
-            self.desk.help = help(ui);
-        }
-        self.desk.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
-        for command in std::mem::take(&mut self.desk.commands) {
-            self.carry_out(command);
-        }
-        self.note_changes();
     }
 
     /// The part of the picture that the drawer covers. `None` while there is no drawer.
     pub(super) fn drawer_place(&self) -> Option<Rect> {
-        if self.desk.has_room || self.desk.tab.is_none() {
+        if self.desk.has_room || self.desk.tab.is_none() || self.is_lesson_alone() {
             return None;
         }
         let picture = self.canvas.place;
@@ -109,14 +117,8 @@ impl App {
 
     /// The status line: the facts about the picture, or a message.
     fn status(&mut self, ui: &mut Ui) {
-        let now = self.desk.now;
-        self.desk.message.take_if(|(_, until)| *until <= now);
         ui.horizontal(|ui| {
-            if let Some((text, until)) = &self.desk.message {
-                ui.ctx().request_repaint_after(until.saturating_sub(now));
-                let text = RichText::new(text).strong();
-                ui.add(Label::new(text).truncate());
-            } else {
+            if !message(ui, &mut self.desk) {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
                 let (method, viewer) = (self.method(), self.viewer());
                 let is_clicked = if let Some(name) = shown_beside(&viewer, method, &self.desk) {
@@ -133,6 +135,18 @@ impl App {
             }
         });
     }
+}
+
+/// Lays out the message of the desk until its time is over. Returns whether there is one.
+pub fn message(ui: &mut Ui, desk: &mut Desk) -> bool {
+    let now = desk.now;
+    desk.message.take_if(|(_, until)| *until <= now);
+    if let Some((text, until)) = &desk.message {
+        ui.ctx().request_repaint_after(until.saturating_sub(now));
+        let text = RichText::new(text).strong();
+        ui.add(Label::new(text).truncate());
+    }
+    desk.message.is_some()
 }
 
 /// The name of what is shown in place of the picture: a picture that has its turn, or a wipe.

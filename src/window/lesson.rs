@@ -1,97 +1,311 @@
-//! A lesson in the window: the sentence of a step, the way to the next, and all steps drawn into a file.
+//! A lesson in the window: its sentence, its question, the controls of a step; and the sheet of all steps.
 
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Align, FontId, Label, Layout, RawInput, RichText, Ui, vec2};
+use egui::{Align, Button, FontId, Label, Layout, RichText, Ui, vec2};
+use hecs::World;
 
 use super::app::App;
-use super::desk::{Desk, reading_time};
+use super::canvas::Canvas;
+use super::choice::Choice;
+use super::comparison::Comparison;
+use super::controls::has_face_normals;
+use super::desk::Desk;
 use super::document::Document;
-use super::keys::Action;
-use super::study::Background;
-use super::widgets::{INK, offer};
-use crate::output::memory;
+use super::facts::Facts;
+use super::keys::{Action, caption};
+use super::labels::Labels;
+use super::layout::message;
+use super::pictures::view_at;
+use super::study::shows_exact;
+use super::widgets::{BAD, GOOD, INK, number, offer, short};
+use crate::components::range::{Shininess, Strength};
+use crate::components::{
+    Light, Material, Name, Segments, ShadingMode, View, ViewMode, common, ordered, viewer,
+};
+use crate::output::paint::{area, missing_letters};
 use crate::output::progress::with_bar;
 use crate::output::words::counted;
-use crate::output::{Animation, Output, say};
+use crate::output::{Monitor, Output, memory, say};
+use crate::questions::figures::sheet::sheet;
 use crate::questions::job::Drawing;
+use crate::questions::probe;
+use crate::scene::{Control, LESSONS, Question, Scene, Step, title};
 
 /// Letters are this share of the window's height, and at least and at most so many points.
 const LETTERS: f32 = 38.0;
 const LEAST_LETTERS: f32 = 13.0;
 const MOST_LETTERS: f32 = 32.0;
-/// The most layouts until the window shows the answers to the questions of the one before.
-const LAYOUTS: usize = 4;
-/// The bytes of a pixel in the window's buffer and in its picture.
-const PIXEL: usize = 8;
+/// The size of an answer's letters, as a share of the sentence's.
+const ANSWERS: f32 = 0.75;
+/// The columns of a sheet.
+const COLUMNS: usize = 2;
+/// The bytes of a pixel in the picture of a step, in the sheet and in its encoding.
+const PIXEL: usize = 12;
 
-/// Lays out the sentence of the step above the picture, large enough for the last row of a room, and the buttons to the steps
-/// beside it.
-pub fn caption(ui: &mut Ui, document: &Document, desk: &mut Desk) {
+impl App {
+    /// Whether the window shows a lesson and nothing else.
+    pub(super) fn is_lesson_alone(&self) -> bool {
+        !self.document.scene.lesson.is_empty() && !self.desk.shows_rest
+    }
+
+    /// Goes to another step of the lesson; from the last one to the next lesson.
+    pub(super) fn step_lesson(&mut self, steps: isize) {
+        let is_last = self.document.step + 1 == self.document.scene.lesson.len();
+        match next_lesson(&self.document.scene.name) {
+            Some(name) if is_last && steps > 0 => self.open(name),
+            _ => {
+                self.desk.answer = None;
+                self.desk.say_any(self.document.step_lesson(steps));
+            }
+        }
+    }
+
+    /// Lays out the way from step to step, and the controls of this one.
+    pub(super) fn lesson_controls(&mut self, ui: &mut Ui) {
+        let is_alone = self.is_lesson_alone();
+        let App {
+            document,
+            choice,
+            desk,
+            ..
+        } = self;
+        let step = document.step;
+        let lesson = Arc::clone(&document.scene.lesson);
+        let next = next_lesson(&document.scene.name).filter(|_| step + 1 == lesson.len());
+        let next = next.map_or("next".to_owned(), |it| {
+            format!("Next lesson: {}", title(it))
+        });
+        ui.horizontal_wrapped(|ui| {
+            button(ui, desk, "back", Action::Step(-1));
+            button(ui, desk, &next, Action::Step(1));
+            for control in &lesson[step].show {
+                ui.separator();
+                show(ui, &mut document.scene.world, choice, desk, *control);
+            }
+            if is_alone {
+                message(ui, desk);
+            }
+        });
+    }
+}
+
+/// The built-in lesson after this one.
+fn next_lesson(name: &str) -> Option<&'static str> {
+    let place = LESSONS.iter().position(|it| it.0 == name)?;
+    LESSONS.get(place + 1).map(|it| it.0)
+}
+
+/// Lays out the title, the progress, the sentence and the question of the step.
+pub fn heading(ui: &mut Ui, document: &Document, desk: &mut Desk) {
     let lesson = &document.scene.lesson;
+    let step = &lesson[document.step];
     let letters = (ui.ctx().content_rect().height() / LETTERS).clamp(LEAST_LETTERS, MOST_LETTERS);
-    ui.horizontal(|ui| {
-        offer(ui, desk, Action::Step(-1), false);
-        offer(ui, desk, Action::Step(1), false);
+    ui.horizontal_wrapped(|ui| {
+        ui.strong(title(&document.scene.name));
         ui.weak(format!("{} of {}", document.step + 1, lesson.len()));
+        let rest = ["everything", "the lesson alone"][usize::from(desk.shows_rest)];
+        button(ui, desk, rest, Action::Panel);
+        button(ui, desk, "leave", Action::Close);
     });
-    let text = RichText::new(&lesson[document.step].say)
-        .size(letters)
-        .color(INK);
     // Room for the longest sentence, so that the picture keeps its size.
-    let says = lesson.iter().map(|step| step.say.clone());
+    let says = lesson.iter().map(|step| &*step.say);
+    text(ui, &step.say, says, letters);
+    if let Some(question) = &step.question {
+        answers(ui, question, desk, ANSWERS * letters);
+    }
+}
+
+/// Lays out the answers to choose from, and after the choice the right one.
+fn answers(ui: &mut Ui, question: &Question, desk: &mut Desk, letters: f32) {
+    ui.horizontal_wrapped(|ui| {
+        for (place, answer) in question.answers.iter().enumerate() {
+            let ink = match desk.answer {
+                Some(_) if place == question.right => GOOD,
+                Some(chosen) if place == chosen => BAD,
+                _ => INK,
+            };
+            let text = RichText::new(answer).size(letters).color(ink);
+            if ui.add(Button::new(text)).clicked() {
+                desk.answer = Some(place);
+            }
+        }
+    });
+    let then = desk.answer.map_or("", |_| &question.then);
+    text(ui, then, [&*question.then].into_iter(), letters);
+}
+
+/// Lays out a text, with room for the longest of several.
+fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letters: f32) {
     let font = FontId::proportional(letters);
     let width = ui.available_width();
-    let heights = says.map(|says| {
-        let text = ui.painter().layout(says, font.clone(), INK, width);
+    let heights = all.map(|text| {
+        let text = ui
+            .painter()
+            .layout(text.to_owned(), font.clone(), INK, width);
         text.size().y
     });
-    let height = heights.fold(0.0, f32::max);
-    let size = vec2(width, height);
-    let layout = Layout::top_down(Align::Min);
-    ui.allocate_ui_with_layout(size, layout, |ui| {
+    let size = vec2(width, heights.fold(0.0, f32::max));
+    ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
         ui.set_min_size(size);
+        let text = RichText::new(shown).font(font.clone()).color(INK);
         ui.add(Label::new(text).wrap());
     });
 }
 
-/// Draws the window at the last step of a lesson, or at every step into a file that ends in .apng, for as long as it takes to
-/// read.
-///
-/// # Errors
-/// If a picture does not fit in memory, or the file cannot be written.
-pub fn draw(drawing: Drawing, output: &Output) -> anyhow::Result<()> {
-    let (size, lesson) = (drawing.size, Arc::clone(&drawing.scene.lesson));
-    memory::check(size, PIXEL * size[0] * size[1])?;
-    let mut app = App::new(drawing, Background::AtOnce)?;
-    app.desk.shows_times = false;
-    let is_animated = output.name().to_lowercase().ends_with(".apng");
-    let mut file = Vec::new();
-    let animation = is_animated.then(|| Animation::new(&mut file, size, lesson.len()));
-    let mut animation = animation.transpose()?;
-    with_bar(async |monitor| {
-        for (place, step) in lesson.iter().enumerate() {
-            (monitor.progress)("drawing", place as f64 / lesson.len() as f64);
-            if place > 0 {
-                app.run(Action::Step(1));
-            }
-            for _ in 0..LAYOUTS {
-                app.step(Duration::ZERO, size, RawInput::default())?;
-            }
-            if let Some(animation) = &mut animation {
-                animation.add(&app.pixels, reading_time(&step.say))?;
+/// A button with words of its own for an action.
+fn button(ui: &mut Ui, desk: &mut Desk, words: &str, action: Action) {
+    let button = Button::new(words).shortcut_text(caption(action));
+    if ui.add(button).clicked() {
+        desk.wish(action);
+    }
+}
+
+/// Lays out a control of a step.
+fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, control: Control) {
+    match control {
+        Control::Shading => {
+            let shading = choice.method(world).map(|it| it.mode);
+            for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+                offer(ui, desk, Action::Shading(mode), shading == Some(mode));
             }
         }
-        Ok(())
-    })?;
-    animation.map(Animation::finish).transpose()?;
-    if is_animated {
-        output.write(file)?;
-    } else {
-        output.write_png(&app.pixels, size)?;
+        Control::Normals => offer(ui, desk, Action::FaceNormals, has_face_normals(world)),
+        Control::Segments => {
+            let count = common::<Segments>(world).unwrap_or_default().count();
+            button(ui, desk, "fewer", Action::Segments(-1));
+            ui.label(counted(count, "segment"));
+            button(ui, desk, "more", Action::Segments(1));
+        }
+        Control::Tolerance => {
+            button(ui, desk, "finer", Action::Tolerance(-1));
+            ui.label(format!("within {}", short(viewer(world).tolerance)));
+            button(ui, desk, "coarser", Action::Tolerance(1));
+        }
+        Control::Shininess => {
+            for (name, material) in world.query_mut::<(&Name, &mut Material)>() {
+                ui.label(format!("shininess of {}", name.0));
+                number(ui, &mut material.shininess, Shininess::RANGE);
+            }
+        }
+        Control::On | Control::Intensity => {
+            for (place, entity) in ordered::<Light>(world).into_iter().enumerate() {
+                let Ok((name, light)) = world.query_one_mut::<(&Name, &mut Light)>(entity) else {
+                    continue;
+                };
+                if control == Control::On {
+                    ui.checkbox(&mut light.on, &name.0);
+                    ui.weak(caption(Action::Light(place)));
+                } else {
+                    ui.label(&name.0);
+                    number(ui, &mut light.intensity, Strength::RANGE);
+                }
+            }
+        }
+        Control::Show => {
+            let shown = viewer(world).show;
+            for mode in [ViewMode::Picture, ViewMode::Wipe, ViewMode::Error] {
+                offer(ui, desk, Action::View(mode), shown == mode);
+            }
+        }
+        // It is drawn on the picture.
+        Control::Row => {}
     }
+}
+
+/// A warning about letters of a lesson that the font lacks.
+pub fn letters_warning(lesson: &[Step]) -> Option<String> {
+    let mut texts = String::new();
+    for step in lesson {
+        texts += &step.say;
+        if let Some(question) = &step.question {
+            texts += &question.answers.concat();
+            texts += &question.then;
+        }
+    }
+    let missing = missing_letters(&texts);
+    (!missing.is_empty()).then(|| format!("the font lacks these letters of the lesson: {missing}"))
+}
+
+/// Draws all steps of a lesson on a sheet: each with its picture, its sentence and the names in it.
+///
+/// # Errors
+/// If the sheet does not fit in memory, or the file cannot be written.
+pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
+    let (size, lesson) = (drawing.size, &drawing.scene.lesson);
+    let pixels = size[0] * size[1] * lesson.len().next_multiple_of(COLUMNS);
+    memory::check(size, PIXEL * pixels)?;
+    if let Some(warning) = letters_warning(lesson) {
+        say(&warning);
+    }
+    let mut canvas = Canvas::new(drawing.workers()?);
+    canvas.place = area(size);
+    let pictures = with_bar(async |monitor| {
+        let mut pictures = Vec::new();
+        for (place, step) in lesson.iter().enumerate() {
+            (monitor.progress)("drawing", place as f64 / lesson.len() as f64);
+            pictures.push(picture(&mut canvas, step, monitor).await?);
+        }
+        Ok(pictures)
+    })?;
+    let words = (1..)
+        .zip(&**lesson)
+        .map(|(number, step)| caption_of(number, step));
+    let words: Vec<[String; 2]> = words.collect();
+    let cells = pictures.into_iter().zip(&words);
+    let cells: Vec<_> = cells
+        .map(|(pixels, [says, answers])| (pixels, [&**says, answers, ""]))
+        .collect();
+    let columns = COLUMNS.min(lesson.len());
+    let (pixels, sheet_size) = sheet(&title(&drawing.scene.name), columns, &cells, size);
+    output.write_png(&pixels, sheet_size)?;
     let steps = counted(lesson.len(), "step");
     say(&format!("drew {steps}; wrote {}", output.name()));
     Ok(())
+}
+
+/// The number and the sentence of a step, and its answers.
+fn caption_of(number: usize, step: &Step) -> [String; 2] {
+    let answers = step.question.iter().flat_map(|it| &it.answers);
+    let answers = ('a'..)
+        .zip(answers)
+        .map(|(letter, answer)| format!("\n{letter}) {answer}"));
+    [format!("{number}. {}", step.say), answers.collect()]
+}
+
+/// The picture of a step with the words in it.
+async fn picture(
+    canvas: &mut Canvas,
+    step: &Step,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<u32>> {
+    let level = canvas.pictures.frame.workers().level();
+    let mut scene = Scene::spawn(String::new(), &step.record);
+    let viewer = &step.record.view;
+    let view = View::of(&scene.world, canvas.size());
+    canvas.draw(Duration::ZERO, &mut scene.world, &step.record, view)?;
+    let mut facts = Facts::default();
+    if shows_exact(viewer) {
+        let comparison = Comparison::of(&mut scene.world, &view, level, monitor).await?;
+        facts.comparison.finish(Some(comparison));
+    }
+    if let Some(pixel) = canvas.pixel(viewer) {
+        let view = view_at(viewer, &view, pixel[0]);
+        facts
+            .section
+            .finish(Some(probe::section(&mut scene, &view, pixel, level)?));
+    }
+    let mut pixels = canvas.shown(viewer, &facts, None).into_owned();
+    let labels = Labels {
+        place: canvas.place,
+        canvas,
+        viewer,
+        facts: &facts,
+        method: Choice::default().method(&scene.world),
+        turn: None,
+        has_row: step.show.contains(&Control::Row),
+    };
+    labels.draw(&mut pixels);
+    Ok(pixels)
 }

@@ -14,7 +14,7 @@ use super::document::is_another_scene;
 use super::facts::{Facts, Latest, Question, Work, pool};
 use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
-use crate::components::{Side, View, ViewMode, alike};
+use crate::components::{Side, View, ViewMode, Viewer, alike};
 use crate::output::Monitor;
 use crate::questions::job::Drawing;
 use crate::questions::probe;
@@ -162,9 +162,7 @@ impl Study {
         let viewer = &subject.record.view;
         let level = subject.workers.level();
         let is_live = self.is_live();
-        let shows_exact = desk.blinks.is_some()
-            || viewer.show == ViewMode::Error
-            || sides(viewer).contains(&Side::Reference);
+        let shows_exact = desk.blinks.is_some() || shows_exact(viewer);
         if let Some(pixel) = viewer.pixel_in(subject.view.size) {
             let viewer = viewer.clone();
             self.find(
@@ -365,6 +363,11 @@ impl Study {
     pub fn progress(&self) -> Option<(String, f64)> {
         self.work.as_ref().and_then(Work::progress)
     }
+}
+
+/// Whether a picture cannot be shown before it is compared with exact Phong.
+pub fn shows_exact(viewer: &Viewer) -> bool {
+    viewer.show == ViewMode::Error || sides(viewer).contains(&Side::Reference)
 }
 
 /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.

@@ -2,27 +2,29 @@
 
 use egui::color_picker::show_color;
 use egui::{
-    Align2, Area, Color32, Event, Frame, Order, PointerButton, Pos2, Rect, Response, RichText,
-    Sense, Ui, Vec2, vec2,
+    Align2, Area, Color32, Event, Frame, Order, PointerButton, Pos2, Rangef, Rect, Response,
+    RichText, Sense, Ui, Vec2, vec2,
 };
 use hecs::World;
 
 use super::app::App;
 use super::canvas::Canvas;
 use super::controls::{orbit, zoom};
+use super::document::Document;
 use super::error_map::{EDGE, NOTHING, draw_scale, position};
+use super::facts::Facts;
 use super::inspector::Tab;
+use super::labels::{Labels, draw_terms};
 use super::lights::{discs, draw_arrows};
-use super::pictures::{QUARTERS, TINTS};
-use super::study::Study;
+use super::pictures::TINTS;
 use super::tags::tags;
 use super::unsaved::edits_bar;
-use super::widgets::{BAD, INK, tag, wait};
+use super::widgets::{BAD, tag, wait};
 use crate::components::{
-    FileOrder, Lens, LightKind, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
+    FileOrder, Lens, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
 };
 use crate::output::paint::color;
-use crate::scene::unseen;
+use crate::scene::{Control, unseen};
 use crate::shading::SquareKind;
 
 /// How far a drag across the picture's shorter side turns, in degrees.
@@ -37,6 +39,7 @@ pub const DIVIDER_MARGIN: f64 = 0.02;
 impl App {
     /// Lays out the picture's area in the rest of the window.
     pub(super) fn viewport(&mut self, ui: &mut Ui) {
+        let is_alone = self.is_lesson_alone();
         let App {
             document,
             canvas,
@@ -62,8 +65,10 @@ impl App {
             if desk.turn().is_none() {
                 clicked = clicked.or(divider(ui, world, canvas));
             }
-            let method = choice.method(world);
-            tags(ui, world, canvas.place, &study.facts, method, desk);
+            if !is_alone {
+                let method = choice.method(world);
+                tags(ui, world, canvas.place, &study.facts, method, desk);
+            }
         }
         let view = choice.view(world, canvas.size());
         // A disc over a tag can be dragged.
@@ -77,48 +82,50 @@ impl App {
             let pixel = canvas.pixel_at(at);
             self.probe(pixel);
         }
-        self.draw_subjects(ui);
-        self.draw_marks(ui);
+        if is_alone {
+            self.show_labels(ui);
+        } else {
+            self.draw_subjects(ui);
+            self.draw_marks(ui);
+        }
+        self.bars(ui);
     }
 
-    /// Draws the names of the terms, the outline of the selected cuboid, and the reason why nothing is seen.
+    /// Lays out the words of a lesson's picture.
+    fn show_labels(&self, ui: &mut Ui) {
+        let Document { scene, step, .. } = &self.document;
+        let labels = Labels {
+            place: self.canvas.place,
+            canvas: &self.canvas,
+            viewer: &self.viewer(),
+            facts: &self.study.facts,
+            method: self.method(),
+            turn: self.desk.turn(),
+            has_row: scene.lesson[*step].show.contains(&Control::Row),
+        };
+        labels.show(ui);
+    }
+
+    /// Draws the names of the terms, and the outline of the selected cuboid.
     fn draw_subjects(&self, ui: &Ui) {
         let (world, canvas) = (&self.document.scene.world, &self.canvas);
         let view = self.choice.view(world, canvas.size());
-        let is_terms = viewer(world).show == ViewMode::Terms;
-        if is_terms {
-            for (quarter, kind) in QUARTERS.into_iter().enumerate() {
-                let name = kind.map_or("sum", LightKind::name);
-                let share = vec2((quarter % 2) as f32, (quarter / 2) as f32) / 2.0;
-                let corner = canvas.place.min + canvas.place.size() * share + vec2(12.0, 10.0);
-                tag(ui.painter(), Align2::LEFT_TOP, corner, name, INK);
-            }
+        if viewer(world).show == ViewMode::Terms {
+            draw_terms(ui.painter(), canvas.place);
         } else if self.desk.tab == Some(Tab::Scene)
             && let ("cuboid", place) = self.desk.selected.unwrap_or(("cuboid", 0))
         {
             outline(ui, world, &view, canvas, place);
         }
-        let is_empty = canvas.pictures.frame.counts().covered_pixels == 0;
-        if is_empty && canvas.drawn.is_some() && !is_terms {
-            let at = canvas.place.center();
-            tag(
-                ui.painter(),
-                Align2::CENTER_CENTER,
-                at,
-                &unseen::reason(world, &view),
-                BAD,
-            );
-        }
     }
 
-    /// Draws the marks at the explained pixel, the legend, the offer of edits, and the error in the scene's file.
-    fn draw_marks(&mut self, ui: &mut Ui) {
+    /// Draws the marks at the explained pixel, and the legend.
+    fn draw_marks(&self, ui: &Ui) {
         let drawer = self.drawer_place();
         let App {
             document,
             canvas,
             study,
-            desk,
             ..
         } = self;
         let world = &document.scene.world;
@@ -141,14 +148,36 @@ impl App {
             }
             draw_cross(ui.painter(), at);
         }
-        let ground = Frame::side_top_panel(ui.style());
         if has_legend {
             let corner = Area::new(ui.id().with("legend")).pivot(LEGEND);
             let corner = corner.fixed_pos(LEGEND.pos_in_rect(&canvas.place));
             corner.constrain_to(canvas.place).show(ui.ctx(), |ui| {
                 ui.set_max_width(canvas.place.width());
-                ground.show(ui, |ui| legend(ui, &viewer, canvas, study));
+                Frame::side_top_panel(ui.style()).show(ui, |ui| {
+                    legend(ui, &viewer, canvas, &study.facts);
+                    if viewer.show == ViewMode::Error {
+                        wait(ui, study, study.facts.comparison.is_current);
+                    }
+                });
             });
+        }
+    }
+
+    /// Lays out the reason why nothing is seen, the offer of edits, and the error in the scene's file.
+    fn bars(&mut self, ui: &mut Ui) {
+        let App {
+            document,
+            canvas,
+            desk,
+            ..
+        } = self;
+        let world = &document.scene.world;
+        let is_terms = viewer(world).show == ViewMode::Terms;
+        let is_empty = canvas.pictures.frame.counts().covered_pixels == 0;
+        if is_empty && canvas.drawn.is_some() && !is_terms {
+            let reason = unseen::reason(world, &View::of(world, canvas.size()));
+            let at = canvas.place.center();
+            tag(ui.painter(), Align2::CENTER_CENTER, at, &reason, BAD);
         }
         edits_bar(ui, document, canvas.place, desk);
         // Over the picture, whose size would otherwise change twice, and over the drawer.
@@ -159,7 +188,7 @@ impl App {
             let bar = bar.constrain_to(canvas.place).order(Order::Foreground);
             bar.show(ui.ctx(), |ui| {
                 ui.set_max_width(canvas.place.width());
-                ground.show(ui, |ui| ui.label(text))
+                Frame::side_top_panel(ui.style()).show(ui, |ui| ui.label(text))
             });
         }
     }
@@ -229,18 +258,23 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
         let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
         viewer_mut(world).divider = divider;
     }
-    let painter = ui.painter();
-    painter.vline(x, line, (4.0, Color32::from_black_alpha(110)));
-    painter.vline(x, line, (2.0, Color32::from_white_alpha(230)));
+    draw_line(ui.painter(), x, line);
     let edge = (1.0, Color32::from_black_alpha(150));
-    painter.circle(place.center(), 8.0, Color32::WHITE, edge);
+    ui.painter()
+        .circle(place.center(), 8.0, Color32::WHITE, edge);
     clicked(&handle)
 }
 
+/// Draws the line between the sides of a wipe.
+pub fn draw_line(painter: &egui::Painter, x: f32, rows: Rangef) {
+    painter.vline(x, rows, (4.0, Color32::from_black_alpha(110)));
+    painter.vline(x, rows, (2.0, Color32::from_white_alpha(230)));
+}
+
 /// The meaning of the colours of the error map or of squares.
-fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, study: &Study) {
+pub fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, facts: &Facts) {
     if viewer.show == ViewMode::Error {
-        return error_legend(ui, viewer.tolerance, study);
+        return error_legend(ui, viewer.tolerance, facts);
     }
     let counts = canvas.pictures.frame.counts().squares;
     let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
@@ -258,9 +292,9 @@ fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, study: &Study) {
 }
 
 /// The scale of the error map, with marks at the tolerance and at the largest error.
-fn error_legend(ui: &mut Ui, tolerance: f64, study: &Study) {
+fn error_legend(ui: &mut Ui, tolerance: f64, facts: &Facts) {
     ui.label("error against exact Phong, levels");
-    let comparison = study.facts.comparison.current();
+    let comparison = facts.comparison.current();
     let largest = comparison.and_then(|it| it.error);
     let size = vec2(ui.available_width().min(260.0), 26.0);
     let (place, response) = ui.allocate_exact_size(size, Sense::hover());
@@ -274,13 +308,12 @@ fn error_legend(ui: &mut Ui, tolerance: f64, study: &Study) {
         let x = place.min.x + share * (place.width() - place.height());
         painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
     }
-    wait(ui, study, study.facts.comparison.is_current);
     swatch(ui, EDGE, "another face is seen");
     swatch(ui, NOTHING, "nothing is drawn");
 }
 
 /// Draws a cross around a pixel, which itself stays visible.
-fn draw_cross(painter: &egui::Painter, at: Pos2) {
+pub fn draw_cross(painter: &egui::Painter, at: Pos2) {
     for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
         let line = [at + way * 3.5, at + way * 11.5];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));

@@ -5,10 +5,13 @@
 //! +---------+   +---------+
 //! | picture | + | picture |     the joiner of a cell is drawn in the gap after it
 //! +---------+   +---------+
-//! heading remark  heading remark
+//! heading remark  heading remark     both may have several lines
 //! ```
 
-use egui::{Align2, FontId, Pos2, Rect, StrokeKind, pos2, vec2};
+use std::sync::Arc;
+
+use egui::text::LayoutJob;
+use egui::{Align2, FontId, Galley, Painter, Pos2, Rect, StrokeKind, TextFormat, pos2, vec2};
 
 use crate::output::paint::{annotate, color};
 
@@ -27,7 +30,7 @@ const TITLE_GAP: usize = 24;
 /// Between the heading and the remark of a label.
 const WORD_GAP: f32 = 12.0;
 
-/// The heights of lines in pixels, and their fonts.
+/// The least heights of texts in pixels, and their fonts.
 const TITLE_HEIGHT: usize = 32;
 const LABEL_HEIGHT: usize = 24;
 const TITLE: FontId = FontId::proportional(28.0);
@@ -61,7 +64,13 @@ pub fn sheet(
     [cell_width, cell_height]: [usize; 2],
 ) -> (Vec<u32>, [usize; 2]) {
     let top = MARGIN + TITLE_HEIGHT + TITLE_GAP;
-    let row_height = cell_height + LABEL_GAP + LABEL_HEIGHT;
+    let mut label_height = LABEL_HEIGHT;
+    annotate(&mut [PAPER], [1, 1], |ui| {
+        let labels = cells.iter().map(|it| label(ui.painter(), it, cell_width));
+        let heights = labels.map(|it| it.size().y.ceil() as usize);
+        label_height = heights.fold(label_height, usize::max);
+    });
+    let row_height = cell_height + LABEL_GAP + label_height;
     let rows = cells.len().div_ceil(columns);
     let width = 2 * MARGIN + columns * cell_width + (columns - 1) * GAP;
     let height = top + rows * row_height + rows.saturating_sub(1) * GAP + MARGIN;
@@ -78,27 +87,36 @@ pub fn sheet(
             pixels[row * width + x..][..cell_width].copy_from_slice(line);
         }
     }
-    annotate(&mut pixels, size, |painter| {
-        let write = |at: Pos2, align: Align2, font: FontId, ink: u32, text: &str| {
-            painter.text(at, align, text, font, color(ink)).right()
+    annotate(&mut pixels, size, |ui| {
+        let painter = ui.painter();
+        let write = |at: Pos2, align: Align2, text: &str| {
+            painter.text(at, align, text, TITLE, color(BRIGHT));
         };
-        let [left, center] = [Align2::LEFT_TOP, Align2::CENTER_CENTER];
         let margin = MARGIN as f32;
-        write(pos2(margin, margin), left, TITLE, BRIGHT, title);
-        for (index, (_, [heading, remark, joiner])) in cells.iter().enumerate() {
+        write(pos2(margin, margin), Align2::LEFT_TOP, title);
+        for (index, cell) in cells.iter().enumerate() {
             let [x, y] = place(index).map(|at| at as f32);
             let size = vec2(cell_width as f32, cell_height as f32);
             let picture = Rect::from_min_size(pos2(x, y), size);
             let frame = (1.0, color(FRAME));
             painter.rect_stroke(picture, 0.0, frame, StrokeKind::Outside);
-            let label = picture.bottom() + LABEL_GAP as f32;
-            let end = write(pos2(x, label), left, LABEL, BRIGHT, heading);
-            write(pos2(end + WORD_GAP, label), left, LABEL, DIM, remark);
+            let below = picture.left_bottom() + vec2(0.0, LABEL_GAP as f32);
+            painter.galley(below, label(painter, cell, cell_width), color(BRIGHT));
             let beside = picture.right_center() + vec2(GAP as f32 / 2.0, 0.0);
-            write(beside, center, TITLE, BRIGHT, joiner);
+            write(beside, Align2::CENTER_CENTER, cell.1[2]);
         }
     });
     (pixels, size)
+}
+
+/// The label of a cell, no wider than its picture.
+fn label(painter: &Painter, (_, [heading, remark, _]): &Cell, width: usize) -> Arc<Galley> {
+    let format = |ink: u32| TextFormat::simple(LABEL, color(ink));
+    let mut text = LayoutJob::default();
+    text.wrap.max_width = width as f32;
+    text.append(heading, 0.0, format(BRIGHT));
+    text.append(remark, WORD_GAP, format(DIM));
+    painter.layout_job(text)
 }
 
 #[cfg(test)]

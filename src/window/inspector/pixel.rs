@@ -16,6 +16,8 @@ use crate::window::canvas::Canvas;
 use crate::window::study::Study;
 use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still, wait};
 
+/// The height of the levels along the row, in points.
+const PLOT: f32 = 150.0;
 /// The width of a letter of the numbers, in font sizes.
 const LETTER: f32 = 0.61;
 const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0 to 1e6."];
@@ -95,7 +97,7 @@ fn columns(row: &[Probe]) -> impl Iterator<Item = (f64, &ProbedSurface)> {
 }
 
 /// Lays out the levels along the row in the channel that errs most at the pixel, with a line at its column.
-fn section(ui: &mut Ui, row: &[Probe], column: usize, here: &ProbedSurface) {
+pub fn section(ui: &mut Ui, row: &[Probe], column: usize, here: &ProbedSurface) {
     let (channel, _) = here.error().unwrap_or_default();
     let [gouraud, phong] = exact(here, channel);
     ui.horizontal_wrapped(|ui| {
@@ -114,7 +116,11 @@ fn section(ui: &mut Ui, row: &[Probe], column: usize, here: &ProbedSurface) {
         curve("Gouraud", &|it| exact(it, channel)[0]).color(GOURAUD),
         curve("exact Phong", &|it| exact(it, channel)[1]).color(PHONG),
     ];
-    let plot = still(Plot::new("section").height(150.0).include_y(0.0));
+    let plot = still(
+        Plot::new("section")
+            .height(PLOT.min(ui.available_height()))
+            .include_y(0.0),
+    );
     let plot = plot.y_axis_min_width(28.0).show_axes([false, true]);
     plot.show_x(false).show(ui, |plot| {
         for line in lines {

@@ -93,9 +93,11 @@ const FAILURES: &str = r#"
 2  prove --picture drawn.png --size 96x72  ->  --size
 2  prove --picture drawn.png -o drawn.png  ->  the input itself
 # Lessons.
+2  lesson  ->  NAME|FILE
+2  lesson --list --size 9x9  ->  --list
 2  lesson absent  ->  absent|built in are lessons/
 2  lesson step.toml  ->  step.toml:4:22: |there is no key light.withe.on|has white, red
-2  lesson step.toml -o step.toml  ->  step.toml|.png or .apng
+2  lesson step.toml -o step.toml  ->  step.toml|.png
 # Without a display a scene is found and read, but not shown.
 1  ./render  ->  no display|shadetrade render ./render -o
 1  bench-far  ->  no display|shadetrade render bench-far -o

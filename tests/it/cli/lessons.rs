@@ -1,56 +1,102 @@
 //! Lessons drawn by the program.
 
-use std::io::Cursor;
+use shadetrade::scene::{LESSONS, first_sentence};
 
-use super::{SCENE, assert_works, decode, folder, get, listing, put};
+use super::{SCENE, assert_works, decode, folder, get, listing, put, run};
 
 const LESSON: &str = r#"scene = "my.toml"
 [[step]]
-say = "One."
+say = "A sentence that is longer than its picture is wide, so that it has more than one line."
+ask = ["left", "right"]
+right = 1
+then = "So."
 [[step]]
-say = "A sentence of ninety letters takes longer to read than the first, which has only five letters."
+say = "Two."
+set = { view.show = "wipe", view.divider = 0.25 }
+[[step]]
+say = "Three."
 set = { view.show = "tiles" }
 "#;
 
+/// The corner of the first place where a picture has this part.
+fn find(part: &(u32, u32, Vec<u8>), all: &(u32, u32, Vec<u8>)) -> Option<[usize; 2]> {
+    let row = 3 * part.0 as usize;
+    let width = 3 * all.0 as usize;
+    let rows: Vec<&[u8]> = part.2.chunks_exact(row).collect();
+    let is_there = |at: &usize| {
+        let lines = all.2[*at..].chunks(width).zip(&rows);
+        at.is_multiple_of(3)
+            && lines.clone().count() == rows.len()
+            && lines.clone().all(|(line, row)| line.starts_with(row))
+    };
+    let at = (0..all.2.len()).find(is_there)?;
+    Some([at % width / 3, at / width])
+}
+
 #[test]
-fn a_lesson_is_drawn_at_its_last_step_or_at_all_for_as_long_as_they_take_to_read() {
+fn a_sheet_has_the_picture_of_each_step_with_the_names_in_it() {
     let folder = folder();
     let folder = folder.path();
     put(folder, "my.toml", SCENE);
     put(folder, "lesson.toml", LESSON);
-    let draw = |file: &str| {
-        let line = format!("lesson lesson.toml --size 480x320 -o {file}");
-        let said = assert_works(folder, &line);
-        assert!(said.contains("2 steps") && said.contains(file), "{said}");
-        get(folder, file)
-    };
-    let (width, height, last) = decode(&draw("last.png"));
-    assert_eq!((width, height), (480, 320));
-    let mut reader = png::Decoder::new(Cursor::new(draw("all.APNG"))).read_info();
-    let reader = reader.as_mut().expect("a PNG");
-    let mut canvas = vec![0; 3 * 480 * 320];
-    let mut times = Vec::new();
-    for _ in 0..2 {
-        let mut part = vec![0; canvas.len()];
-        reader.next_frame(&mut part).expect("a frame");
-        let frame = *reader.info().frame_control().expect("it is animated");
-        times.push(frame.delay_num);
-        let [x, y, width, height] = [frame.x_offset, frame.y_offset, frame.width, frame.height];
-        let rows = part.chunks(3 * width as usize).take(height as usize);
-        for (row, line) in rows.zip(y as usize..) {
-            let start = 3 * (480 * line + x as usize);
-            canvas[start..start + row.len()].copy_from_slice(row);
-        }
-    }
-    assert!(canvas == last, "the last frame is the last step");
-    assert!(times[0] >= 3000 && times[1] > times[0], "{times:?}");
+    let said = assert_works(folder, "lesson lesson.toml --size 240x160 -o sheet.png");
+    assert!(
+        said.contains("3 steps") && said.contains("sheet.png"),
+        "{said}"
+    );
+    assert_works(folder, "render my.toml --size 240x160 -o picture.png");
+    let sheet = decode(&get(folder, "sheet.png"));
+    let picture = decode(&get(folder, "picture.png"));
+    let [left, top] = find(&picture, &sheet).expect("the picture of the first step");
+    let pixel = |x: usize, y: usize| &sheet.2[3 * (sheet.0 as usize * y + x)..][..3];
+    // Two columns; the line of the wipe goes from the top to the bottom of the second picture.
+    let right = sheet.0 as usize - left - 240;
+    assert!(right > left + 240, "{right}");
+    let is_line = |y: usize| pixel(right + 60, y).iter().all(|it| *it > 180);
+    // Below the names.
+    assert!((top + 40..top + 160).all(is_line));
+    assert!(!is_line(top - 2) && !is_line(top + 162));
+    let names = listing(folder);
     assert_eq!(
-        listing(folder),
-        ["all.APNG", "last.png", "lesson.toml", "my.toml"]
+        names,
+        ["lesson.toml", "my.toml", "picture.png", "sheet.png"]
     );
     // A lesson is a scene, too.
-    assert_works(
-        folder,
-        "render lessons/what-a-tolerance-buys --size 9x9 -o -",
+    let line = "render lessons/what-a-tolerance-buys --size 9x9 -o -";
+    assert_works(folder, line);
+}
+
+#[test]
+fn letters_that_the_font_lacks_are_named() {
+    let folder = folder();
+    let folder = folder.path();
+    let text = "scene = 'cuboid'\n[[step]]\nsay = 'Größe \u{2192} \u{1ec7}'\n";
+    put(folder, "lesson.toml", text);
+    let said = assert_works(folder, "lesson lesson.toml --size 40x30 -o sheet.png");
+    let warning = said.lines().find(|line| line.contains("lacks"));
+    let warning = warning.expect("a warning");
+    assert!(
+        warning.contains('\u{1ec7}') && !warning.contains('ö'),
+        "{warning}"
     );
+}
+
+#[test]
+fn the_built_in_lessons_are_listed_in_the_order_in_which_they_are_read() {
+    let folder = folder();
+    let output = run(folder.path(), "lesson --list");
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), LESSONS.len());
+    for (line, (name, lesson)) in lines.into_iter().zip(LESSONS) {
+        let sentence = first_sentence(lesson);
+        assert!(!sentence.is_empty() && line.ends_with(&sentence), "{line}");
+        assert!(
+            name.ends_with(line.split(' ').next().expect("a name")),
+            "{line}"
+        );
+    }
+    let words = ["plane", "edges", "vertices", "tolerance"];
+    let in_order = words.iter().zip(LESSONS);
+    assert!(in_order.clone().all(|(word, it)| it.0.contains(word)));
 }

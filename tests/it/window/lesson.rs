@@ -1,26 +1,40 @@
-//! A lesson in the window: its sentences, and the way from step to step.
+//! A lesson in the window: its sentences, its question, its controls, and the way from step to step.
 
 use std::path::Path;
 
 use egui::Key;
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use shadetrade::scene::Scene;
+use shadetrade::scene::{BUILT_IN, LESSONS, Scene, title};
+use shadetrade::window::app::App;
 
-use super::{PAUSE, SIZE, Window};
+use super::{PAUSE, SIZE, Window, press};
 use crate::support::window::widgets;
 
 const LESSON: &str = r#"scene = "cuboid"
 [[step]]
 say = "White light."
 set = { light.red.on = false }
+show = ["segments", "on"]
 [[step]]
 say = "Red light."
 set = { light.red.on = true, light.white.on = false, cuboid.emerald.size.x = 5 }
+ask = ["light", "dark", "neither"]
+right = 2
+then = "It is dark."
 "#;
 
+fn lesson(text: &str) -> Scene {
+    Scene::parse_lesson("a lesson", text, Path::new("")).expect("a lesson")
+}
+
 pub fn open() -> Window {
-    let scene = Scene::parse_lesson("a lesson", LESSON, Path::new(""));
-    Window::of(scene.expect("a lesson"), SIZE)
+    Window::of(lesson(LESSON), SIZE)
+}
+
+/// Whether a widget of the window has these words.
+fn shows(harness: &Harness<App>, words: &str) -> bool {
+    harness.query_all_by_label_contains(words).next().is_some()
 }
 
 #[test]
@@ -28,10 +42,8 @@ fn keys_go_on_and_back_and_a_step_shows_the_scene_as_the_lesson_has_it() {
     let mut window = open();
     let steps = window.app.document.scene.lesson.clone();
     assert_eq!(window.record(), *steps[0].record);
-    let size = window.app.canvas.size();
     window.press(Key::Enter);
     assert_eq!(window.record(), *steps[1].record);
-    assert_eq!(window.app.canvas.size(), size);
     window.press(Key::Enter);
     assert_eq!(window.record(), *steps[1].record);
     assert!(window.message().contains("no such step"));
@@ -48,13 +60,82 @@ fn keys_go_on_and_back_and_a_step_shows_the_scene_as_the_lesson_has_it() {
 }
 
 #[test]
-fn the_sentence_of_the_step_is_shown() {
+fn the_picture_keeps_its_size_from_step_to_step() {
+    let long = "so ".repeat(60);
+    let text = LESSON.replace("Red light.", &long).replace("ask", "# ");
+    let text = text.replace("right", "# ").replace("then", "# ");
+    let mut window = Window::of(lesson(&text), SIZE);
+    let size = window.app.canvas.size();
+    window.press(Key::Enter);
+    assert_eq!(window.app.canvas.size(), size);
+}
+
+#[test]
+fn a_lesson_is_alone_until_a_key_brings_the_rest() {
     let mut harness = widgets(open().app, SIZE);
-    assert!(harness.query_by_label("White light.").is_some());
-    harness.key_press(Key::Enter);
+    let rest = ["Shading", "Camera", "Scene"];
+    assert!(shows(&harness, "White light.") && shows(&harness, "1 of 2"));
+    assert!(rest.iter().all(|it| !shows(&harness, it)));
+    press(&mut harness, Key::I);
+    assert!(shows(&harness, "White light."));
+    assert!(rest.iter().all(|it| shows(&harness, it)));
+    press(&mut harness, Key::I);
+    assert!(rest.iter().all(|it| !shows(&harness, it)));
+    // Their tabs need room beside the picture.
+    press(&mut harness, Key::E);
+    assert!(rest.iter().all(|it| shows(&harness, it)));
+}
+
+#[test]
+fn a_step_shows_its_controls_and_they_act() {
+    let mut harness = widgets(open().app, SIZE);
+    let segments =
+        |harness: &Harness<App>| harness.state().document.state.cuboid[0].segments.count();
+    harness.get_by_label_contains("more").click();
     harness.run_ok();
-    assert!(harness.query_by_label("Red light.").is_some());
-    assert!(harness.query_by_label("2 of 2").is_some());
+    assert_eq!(segments(&harness), 2);
+    assert!(shows(&harness, "2 segments"));
+    harness.get_by_label("white").click();
+    harness.run_ok();
+    assert!(!harness.state().document.state.light[0].on);
+    press(&mut harness, Key::Enter);
+    assert!(!shows(&harness, "2 segments") && !shows(&harness, "more"));
+}
+
+#[test]
+fn the_answer_is_told_once_one_is_chosen() {
+    let mut harness = widgets(open().app, SIZE);
+    assert!(!shows(&harness, "dark"));
+    press(&mut harness, Key::Enter);
+    let size = harness.state().canvas.size();
+    for wrong_or_right in ["light", "dark"] {
+        assert!(!shows(&harness, "It is dark."));
+        harness.get_by_label(wrong_or_right).click();
+        harness.run_ok();
+        assert!(shows(&harness, "It is dark."));
+        assert_eq!(harness.state().canvas.size(), size, "the picture stays");
+        press(&mut harness, Key::Backspace);
+        press(&mut harness, Key::Enter);
+    }
+}
+
+#[test]
+fn the_last_step_leads_to_the_next_lesson_and_escape_leaves() {
+    let scene = Scene::load(Some(LESSONS[0].0)).expect("a lesson");
+    let count = scene.lesson.len();
+    let mut harness = widgets(Window::of(scene, SIZE).app, SIZE);
+    let next = format!("Next lesson: {}", title(LESSONS[1].0));
+    for _ in 1..count {
+        assert!(!shows(&harness, &next));
+        press(&mut harness, Key::Enter);
+    }
+    assert!(shows(&harness, &next));
+    press(&mut harness, Key::Enter);
+    assert_eq!(harness.state().document.scene.name, LESSONS[1].0);
+    assert!(shows(&harness, "1 of "));
+    press(&mut harness, Key::Escape);
+    assert_eq!(harness.state().document.scene.name, BUILT_IN[0].0);
+    assert!(shows(&harness, "Shading"));
 }
 
 #[test]

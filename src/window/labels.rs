@@ -1,0 +1,121 @@
+//! The words on a picture that stands alone: the names in it, the line of a wipe, scales, and the curve along a row.
+
+use egui::{Align2, Frame, Painter, Pos2, Rect, Ui, UiBuilder, Vec2, vec2};
+
+use super::canvas::Canvas;
+use super::facts::Facts;
+use super::inspector::section;
+use super::pictures::QUARTERS;
+use super::tags::side_name;
+use super::viewport::{draw_cross, draw_line, legend};
+use super::widgets::{INK, tag};
+use crate::components::{LightKind, ViewMode, Viewer};
+use crate::output::paint::{annotate, area};
+use crate::shading::Method;
+
+/// From a label to the edge of the picture, in points.
+const GAP: f32 = 10.0;
+/// The height of the curve along a row, as a share of the picture's.
+const CURVE: f32 = 0.3;
+
+/// A picture, and what is known of it.
+pub struct Labels<'a> {
+    /// The place of the picture, in points.
+    pub place: Rect,
+    pub canvas: &'a Canvas,
+    pub viewer: &'a Viewer,
+    pub facts: &'a Facts,
+    /// The method on screen.
+    pub method: Option<Method>,
+    /// The side on screen while the sides of a wipe take turns.
+    pub turn: Option<usize>,
+    /// Whether the curve along the row of the explained pixel is drawn.
+    pub has_row: bool,
+}
+
+impl Labels<'_> {
+    /// Lays out the words over the picture, and marks the explained pixel.
+    pub fn show(&self, ui: &mut Ui) {
+        match self.viewer.show {
+            ViewMode::Picture => {}
+            ViewMode::Wipe => self.draw_sides(ui.painter()),
+            ViewMode::Terms => draw_terms(ui.painter(), self.place),
+            ViewMode::Error | ViewMode::Tiles => {
+                let show = |ui: &mut Ui| legend(ui, self.viewer, self.canvas, self.facts);
+                let mut place = self.place.shrink(GAP);
+                let size = self.ground(ui, UiBuilder::new().max_rect(place).invisible(), show);
+                place.min.y = (place.max.y - size.y).max(place.min.y);
+                self.ground(ui, UiBuilder::new().max_rect(place), show);
+            }
+        }
+        if let Some(pixel) = self.canvas.pixel(self.viewer) {
+            if self.has_row {
+                let top = self.place.bottom() - CURVE * self.place.height();
+                self.curve(ui, self.place.with_min_y(top), pixel);
+            }
+            draw_cross(ui.painter(), self.place_of(pixel));
+        }
+    }
+
+    /// Draws the words into the picture itself, row by row from the top.
+    pub fn draw(&self, pixels: &mut [u32]) {
+        let size = self.canvas.size();
+        let place = area(size);
+        annotate(pixels, size, |ui| {
+            if self.viewer.show == ViewMode::Wipe {
+                let column = self.canvas.divider_column(self.viewer);
+                draw_line(ui.painter(), column as f32, place.y_range());
+            }
+            Labels { place, ..*self }.show(ui);
+        });
+    }
+
+    /// The place of the middle of a pixel.
+    fn place_of(&self, pixel: [usize; 2]) -> Pos2 {
+        let size = self.canvas.size();
+        let share = |axis: usize| (pixel[axis] as f32 + 0.5) / size[axis] as f32;
+        self.place.lerp_inside(vec2(share(0), share(1)))
+    }
+
+    /// The name of each side of a wipe.
+    fn draw_sides(&self, painter: &Painter) {
+        let corners = [Align2::LEFT_TOP, Align2::RIGHT_TOP];
+        for (side, corner) in corners.into_iter().enumerate() {
+            if self.turn.is_none_or(|turn| turn == side) {
+                let name = side_name(&self.viewer.sides[side], self.method);
+                let at = corner.pos_in_rect(&self.place.shrink(GAP));
+                tag(painter, corner, at, &name, INK);
+            }
+        }
+    }
+
+    /// Lays out widgets on a ground over the picture, and returns its size.
+    fn ground(&self, ui: &mut Ui, place: UiBuilder, widgets: impl FnOnce(&mut Ui)) -> Vec2 {
+        let mut child = ui.new_child(place);
+        child.set_clip_rect(self.place);
+        let ground = Frame::side_top_panel(ui.style()).show(&mut child, widgets);
+        ground.response.rect.size()
+    }
+
+    /// The levels along the row of a pixel.
+    fn curve(&self, ui: &mut Ui, place: Rect, [column, row]: [usize; 2]) {
+        let Some(probes) = self.facts.section.current() else {
+            return;
+        };
+        let here = probes.iter().find(|it| it.pixel == [column, row]);
+        if let Some(surface) = here.and_then(|it| it.surface.as_ref()) {
+            let place = UiBuilder::new().max_rect(place);
+            self.ground(ui, place, |ui| section(ui, probes, column, surface));
+        }
+    }
+}
+
+/// The names of the terms in the quarters of the picture.
+pub fn draw_terms(painter: &Painter, place: Rect) {
+    for (quarter, kind) in QUARTERS.into_iter().enumerate() {
+        let name = kind.map_or("sum", LightKind::name);
+        let share = vec2((quarter % 2) as f32, (quarter / 2) as f32) / 2.0;
+        let corner = place.min + place.size() * share + vec2(12.0, 10.0);
+        tag(painter, Align2::LEFT_TOP, corner, name, INK);
+    }
+}
