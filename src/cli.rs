@@ -33,7 +33,7 @@ pub use failure::Failure;
 #[command(
     name = "shadetrade",
     version,
-    about = "Draws lit cuboids with Gouraud and Phong shading, and measures cost and error of each shortcut",
+    about = "Draws lit cuboids with flat, Gouraud and Phong shading, and measures cost and error of each shortcut",
     args_conflicts_with_subcommands = true,
     after_help = "\
 Examples:

@@ -1,4 +1,4 @@
-//! shadetrade draws lit cuboids with Gouraud and Phong shading and measures the time that each shortcut saves
+//! shadetrade draws lit cuboids with flat, Gouraud and Phong shading and measures the time that each shortcut saves
 //! and the error that it causes.
 //!
 //! ```text
@@ -33,7 +33,7 @@
 //!    own axes a corner has the normal (±1, ±1, ±1) / √3.
 //! 3. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
 //!    by depth and snapped to 1/256 pixel. [`components::Camera::of`] says where a camera stands once its orbit has moved it.
-//! 4. [`systems::lighting`]: the lights that are on, and the model at the vertices of cuboids under Gouraud: at the eight corners,
+//! 4. [`systems::lighting`]: the lights that are on, the model at the middle of flat faces, and at the vertices of cuboids under Gouraud: at the eight corners,
 //!    with face normals at the four of each visible face, or with several segments at the points of a grid ([`shading::grid`]).
 //! 5. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
 //!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader. The display step
@@ -57,7 +57,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # The model, and three modes
+//! # The model, and four modes
 //!
 //! At a point P with unit normal n, in levels a channel (Phong 1975, "Illumination for Computer Generated Pictures",
 //! Communications of the ACM 18(6)); [`shading::Surface::levels`] evaluates this formula at a point:
@@ -73,6 +73,7 @@
 //! Let w be proportional to 1 / depth. The product of w and a quantity that is linear on the face is affine in the pixel
 //! ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). Gouraud and Phong use this, unit vectors do not:
 //!
+//! - flat shading evaluates I once a face, at its middle, and fills the face;
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
 //!   w n, w (L - P) and w (O - P) have the directions of n, L - P and O - P;

@@ -41,7 +41,7 @@ pub struct DrawingOptions {
     #[arg(long, value_name = "PROJECTION", value_parser = one_of::<Projection>(Projection::ALL.map(Projection::name)))]
     pub projection: Option<Projection>,
     /// The shading of all cuboids [default: each as the scene says]
-    #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>([ShadingMode::Gouraud, ShadingMode::Phong].map(ShadingMode::name)))]
+    #[arg(long, value_name = "SHADING", value_parser = one_of::<ShadingMode>(ShadingMode::ALL.map(ShadingMode::name)))]
     pub shading: Option<ShadingMode>,
     /// The vertex normals of all cuboids: corner (smooth edges) or face (sharp ones) [default: each as the scene says]
     #[arg(long, value_name = "NORMALS", value_parser = one_of::<NormalMode>(NormalMode::ALL.map(NormalMode::name)))]
@@ -174,7 +174,7 @@ pub fn refuse_to_replace(input: &Path, output: Option<&Output>) -> Result<(), Fa
 }
 
 /// A parser of one of these names, which serde converts to the value.
-fn one_of<T>(names: [&'static str; 2]) -> impl TypedValueParser<Value = T>
+fn one_of<T>(names: impl IntoIterator<Item = &'static str>) -> impl TypedValueParser<Value = T>
 where
     T: DeserializeOwned + Clone + Send + Sync + 'static,
 {

@@ -32,6 +32,8 @@ pub struct Material {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ShadingMode {
+    /// The model once a face: at its middle, with the mean of its corner normals, normalised.
+    Flat,
     /// The model at the vertices; its levels are interpolated perspective-correctly (Gouraud 1971).
     #[default]
     Gouraud,
@@ -43,9 +45,13 @@ pub enum ShadingMode {
 }
 
 impl ShadingMode {
+    /// Those of scene files.
+    pub const ALL: [ShadingMode; 3] = [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong];
+
     /// The name in scene files, on the command line and in reports. The assignment's shortcut counts as Phong.
     pub const fn name(self) -> &'static str {
         match self {
+            ShadingMode::Flat => "flat",
             ShadingMode::Gouraud => "gouraud",
             ShadingMode::Phong | ShadingMode::UnitVectors => "phong",
         }
@@ -172,12 +178,13 @@ impl Default for Normals {
     }
 }
 
-/// The model at the vertices, in levels, unclamped.
+/// The model at the vertices, or at the middle of each face, in levels, unclamped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VertexColors {
     /// One per corner of the [`super::Mesh`], shared by the faces there.
     Corner([DVec3; 8]),
     /// Those at the corners of the visible face across each axis: a face and the one opposite are never seen together.
+    /// Under flat shading all four are the level at its middle.
     Face([[DVec3; 4]; 3]),
     /// For several segments the index of the visible face's grid in the frame, across each axis.
     Grid([u32; 3]),

@@ -156,6 +156,10 @@ impl From<Side> for String {
                 ..
             } => "phong-unit-vectors".to_owned(),
             Side::Method {
+                mode: ShadingMode::Flat,
+                ..
+            } => "flat".to_owned(),
+            Side::Method {
                 mode,
                 segments,
                 tolerance,
@@ -194,6 +198,7 @@ impl TryFrom<String> for Side {
         let side = match text.split_once('-') {
             None if text == "picture" => Some(Side::Picture),
             None if text == "reference" => Some(Side::Reference),
+            None if text == "flat" => method(ShadingMode::Flat, "0"),
             Some(("phong", "unit-vectors")) => method(ShadingMode::UnitVectors, "0"),
             Some(("phong", levels)) => method(ShadingMode::Phong, levels),
             Some(("gouraud", rest)) => gouraud(rest),
@@ -201,7 +206,7 @@ impl TryFrom<String> for Side {
         };
         side.ok_or_else(|| {
             format!(
-                "invalid value: string {text:?}, expected \"picture\", \"reference\", \"phong-unit-vectors\", or \
+                "invalid value: string {text:?}, expected \"picture\", \"reference\", \"flat\", \"phong-unit-vectors\", or \
                  \"gouraud-\" or \"phong-\" and a tolerance, such as \"phong-0.5\" or \"gouraud-8x8-0.5\""
             )
         })

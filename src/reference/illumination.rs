@@ -275,7 +275,7 @@ impl<R: Real> ReferenceSurface<R> {
         interpolated(lit, weights)
     }
 
-    /// The levels at a vertex of a face's grid, with its tied gates closed or open.
+    /// The levels at a vertex of a face's grid, or at the middle of a flat face, with its tied gates closed or open.
     pub fn at_vertex(&self, face: usize, place: &FacePoint<R>, is_open: bool) -> Lit<R> {
         let to_light = |light| self.to_light(light, place);
         let (normal, open) = (self.normal(face, place), if is_open { ALL } else { 0 });

@@ -3,10 +3,11 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
+use glam::DVec3;
 use hecs::World;
 use rayon::prelude::*;
 
-use super::geometry::{CuboidGeometry, FacePoint, Meeting};
+use super::geometry::{CuboidGeometry, FacePoint, Meeting, across};
 use super::illumination::{Lit, Open, ReferenceSurface, TIES, blend};
 use super::interval::Interval;
 use super::real::{Real, RealVector};
@@ -74,7 +75,7 @@ pub struct Met<'a, R> {
 /// A surface, or the background, that a pixel may show.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<R> {
-    /// `None` is the background. Under Phong, and Gouraud with several cells, the two triangles of a face do not differ, so
+    /// `None` is the background. Under flat shading, Phong, and Gouraud with several cells, the two triangles of a face do not differ, so
     /// near the diagonal this is the first one.
     pub triangle: Option<TriangleId>,
     /// Unclamped levels of 255.
@@ -267,9 +268,10 @@ impl<R: Real> ReferenceCuboid<R> {
     }
 
     /// Whether the place may be on the first triangle of its face, on the second, or on both (near the diagonal). Under
-    /// perspective-correct Phong, and Gouraud with several cells, the triangles do not differ, and the first stands for both.
+    /// flat shading, perspective-correct Phong, and Gouraud with several cells, the triangles do not differ, and the first stands for both.
     fn triangles(&self, place: &FacePoint<R>) -> &'static [bool] {
         let differ = match self.mode {
+            ShadingMode::Flat => false,
             _ if !self.surface.is_perspective_correct() => true,
             ShadingMode::Phong => false,
             ShadingMode::Gouraud => self.segments == 1,
@@ -284,6 +286,12 @@ impl<R: Real> ReferenceCuboid<R> {
 
     /// The levels at a place on a triangle of a face, or on the triangle's plane beyond the diagonal.
     fn lit(&self, face: usize, is_first: bool, place: &FacePoint<R>, open: Open) -> Lit<R> {
+        if self.mode == ShadingMode::Flat {
+            let (axis, outwards) = across(face);
+            let middle = RealVector::exact(DVec3::AXES[axis] * outwards / 2.0);
+            let middle = self.solid.at_share(middle);
+            return self.surface.at_vertex(face, &middle, open & 1 == 1);
+        }
         if self.mode == ShadingMode::Phong && self.surface.is_perspective_correct() {
             return self.surface.phong(face, place, open);
         }

@@ -13,7 +13,7 @@ pub struct Method {
     pub mode: ShadingMode,
     /// The segments of Gouraud; `None` leaves each cuboid its own.
     pub segments: Option<Segments>,
-    /// In levels, against the exact evaluation of the same mode and segments.
+    /// In levels, against the exact evaluation of the same mode and segments. Flat shading is exact.
     pub tolerance: f64,
 }
 
@@ -25,11 +25,13 @@ impl Method {
 
     /// This mode and these segments within this tolerance; one that is not of [`METHODS`] has no id.
     pub fn with(mode: ShadingMode, segments: Option<Segments>, tolerance: f64) -> Method {
-        let unknown = Method {
-            id: "",
-            mode,
-            segments,
-            tolerance,
+        let unknown = if mode == ShadingMode::Flat {
+            method("", mode, 0.0)
+        } else {
+            Method {
+                segments,
+                ..method("", mode, tolerance)
+            }
         };
         let known = METHODS
             .iter()
@@ -74,8 +76,9 @@ const fn grid(id: &'static str, segments: u32) -> Method {
     }
 }
 
-/// The methods of a report: by mode, Gouraud with its own segments and then with ever more, exact Phong last.
+/// The methods of a report: by mode, flat shading first, Gouraud with its own segments and then with ever more, exact Phong last.
 pub const METHODS: &[Method] = &[
+    method("flat", ShadingMode::Flat, 0.0),
     method("gouraud-0", ShadingMode::Gouraud, 0.0),
     method("gouraud-0.5", ShadingMode::Gouraud, 0.5),
     grid("gouraud-1x1-0.5", 1),

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 use self::aligned::Aligned;
-pub(crate) use self::band::{Band, Drawn};
+pub(crate) use self::band::{Band, Drawn, fill};
 pub(crate) use self::draw_list::{DrawList, Object, Piece};
 use crate::components::{Illumination, Lens, TriangleId};
 use crate::output::memory::{self, OutOfMemory};

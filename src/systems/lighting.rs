@@ -1,8 +1,9 @@
 //! Collects the lights that are on, and computes the vertex colours of Gouraud shading.
 //!
-//! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed only for cuboids
+//! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed for cuboids
 //! with Gouraud shading: at the eight corners, with face normals at the four corners of each visible face, or with several
-//! segments at the points of the grid of each visible face.
+//! segments at the points of the grid of each visible face. With flat shading they are those at the middle of each visible
+//! face.
 
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;
@@ -17,7 +18,7 @@ use crate::components::{
 use crate::shading::Surface;
 use crate::systems::frame::{DrawList, Frame};
 
-/// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud.
+/// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud or flat shading.
 pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     gather(
         world.query_mut::<(&Transform, &Light)>().into_iter(),
@@ -35,7 +36,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             &mut VertexColors,
         )>()
     {
-        if view.mode(*own) != ShadingMode::Gouraud {
+        let mode = view.mode(*own);
+        if !matches!(mode, ShadingMode::Flat | ShadingMode::Gouraud) {
             continue;
         }
         let DrawList {
@@ -60,7 +62,15 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         let seen = || (0..FACES.len()).filter(|face| projected.polygons[*face].len > 0);
         let segments = view.segments(*segments);
         let evaluations;
-        if segments.count() > 1 {
+        if mode == ShadingMode::Flat {
+            let mut faces = [[DVec3::ZERO; 4]; 3];
+            for face in seen() {
+                let (middle, normal) = mesh.on_face(face, &normals.of_face(face), [0.0; 2]);
+                faces[face / 2] = [levels(middle, normal); 4];
+            }
+            *colors = VertexColors::Face(faces);
+            evaluations = seen().count();
+        } else if segments.count() > 1 {
             let mut indices = [0; 3];
             for face in seen() {
                 let normals = normals.of_face(face);

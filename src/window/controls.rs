@@ -76,7 +76,9 @@ pub fn choose_method(world: &mut World, method: Method) {
         return wipe(world, [Side::from(method), Side::Picture]);
     }
     shade(world, method.mode);
-    set_tolerance(world, method.tolerance);
+    if method.mode != ShadingMode::Flat {
+        set_tolerance(world, method.tolerance);
+    }
     if let Some(segments) = method.segments {
         overwrite(world, &segments);
     }
@@ -115,7 +117,7 @@ pub fn set_tolerance(world: &mut World, levels: f64) {
             mode, tolerance, ..
         } = side
             && *tolerance == before
-            && *mode != ShadingMode::UnitVectors
+            && !matches!(mode, ShadingMode::Flat | ShadingMode::UnitVectors)
         {
             *tolerance = levels;
         }

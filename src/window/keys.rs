@@ -96,6 +96,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ]),
     ]),
     ("Shading", &[
+        ("flat", "Light is computed once a face, at its middle: one colour for the whole face.", &[(NO, Key::F, Action::Shading(ShadingMode::Flat))]),
         ("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Action::Shading(ShadingMode::Gouraud))]),
         ("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
         ("face normals", "Each face has its own normal: edges are sharp. Else the faces at a corner share one, and edges look smooth.", &[(NO, Key::X, Action::FaceNormals)]),

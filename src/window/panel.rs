@@ -79,7 +79,7 @@ fn shading_rows(
 ) {
     let shading = choice.method(world).map(|method| method.mode);
     ui.horizontal_wrapped(|ui| {
-        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        for mode in ShadingMode::ALL {
             offer(ui, desk, Action::Shading(mode), shading == Some(mode));
         }
         offer(ui, desk, Action::FaceNormals, has_face_normals(world));

@@ -36,6 +36,10 @@ pub fn side_says(side: &Side) -> &'static str {
             mode: ShadingMode::UnitVectors,
             ..
         } => SHORTCUT,
+        Side::Method {
+            mode: ShadingMode::Flat,
+            ..
+        } => "One colour for the whole face, lit at its middle.",
         Side::Method { tolerance: 0.0, .. } => {
             "This program's renderer at tolerance 0: each pixel is evaluated, in f32."
         }

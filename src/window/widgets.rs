@@ -20,7 +20,8 @@ pub use crate::output::words::{rounded, short};
 pub const INK: Color32 = Color32::from_gray(220);
 pub const GOOD: Color32 = Color32::from_rgb(0x3c, 0xb8, 0x7c);
 pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
-/// The curves and dots of Gouraud and Phong.
+/// The curves and dots of flat, Gouraud and Phong shading.
+pub const FLAT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 pub const GOURAUD: Color32 = Color32::from_rgb(0xff, 0xb4, 0x54);
 pub const PHONG: Color32 = Color32::from_rgb(0x34, 0xd3, 0x99);
 /// The dots of the interpolated unit vectors.
@@ -29,6 +30,7 @@ const SHORTCUT: Color32 = Color32::from_rgb(0xcc, 0x79, 0xa7);
 /// The colour of a method's dot.
 pub fn mode_ink(mode: ShadingMode) -> Color32 {
     match mode {
+        ShadingMode::Flat => FLAT,
         ShadingMode::Gouraud => GOURAUD,
         ShadingMode::Phong => PHONG,
         ShadingMode::UnitVectors => SHORTCUT,

@@ -5,6 +5,7 @@ mod certificate;
 
 mod cli;
 mod extremes;
+mod flat;
 mod golden;
 mod layers;
 mod probe;

@@ -184,14 +184,14 @@ fn gouraud_interpolates_the_levels_at_the_corners() {
 }
 
 #[test]
-fn a_light_that_a_vertex_reflects_to_the_eye_has_full_strength_there_in_every_mode() {
+fn a_light_that_a_vertex_reflects_to_the_eye_has_full_strength_there() {
     let vertex = DVec3::new(-2.0, 2.0, 2.0);
     let (n, o) = (vertex.normalize(), (DVec3::Z * 12.0 - vertex).normalize());
     let mirrored = 2.0 * n.dot(o) * n - o;
     for shininess in [0.0, 0.5, 1.0, 76.8, 1e3, 1e4, 1e6] {
         for reach in [0.7, 3.0, 11.0] {
             let lamp = (Specular, (vertex + mirrored * reach).into(), shininess);
-            for mode in MODES {
+            for mode in [Gouraud, Phong, UnitVectors] {
                 let view = views()[FROM_AN_EYE].shaded(mode);
                 assert_shares(lamp, &view, &[([-2, 2], 1.0)]);
             }

@@ -13,16 +13,16 @@ const AGREE: f64 = 1.0;
 const OUTSIDE: f64 = 0.1;
 
 impl ProbedSurface {
-    /// The channel in which interpolation and exact Phong differ most, and their difference in displayed levels. The
-    /// interpolation is the picture's if it has unit vectors, else Gouraud's. `None` if the reference sees another face.
+    /// The channel in which a shortcut and exact Phong differ most, and their difference in displayed levels. The
+    /// shortcut is the picture's if it is flat or has unit vectors, else Gouraud's. `None` if the reference sees another face.
     pub fn error(&self) -> Option<(usize, f64)> {
         let sample = self.sample.as_ref()?;
-        let interpolated = match self.mode {
-            ShadingMode::UnitVectors => self.drawn,
+        let shortcut = match self.mode {
+            ShadingMode::Flat | ShadingMode::UnitVectors => self.drawn,
             _ => sample.gouraud.to_array(),
         };
         let phong = sample.phong.to_array().map(displayed);
-        let error = |channel: usize| (displayed(interpolated[channel]) - phong[channel]).abs();
+        let error = |channel: usize| (displayed(shortcut[channel]) - phong[channel]).abs();
         let errors = [2, 1, 0].map(|channel| (channel, error(channel)));
         // Of equal ones, the first.
         errors
@@ -35,8 +35,15 @@ impl ProbedSurface {
         let sample = self.sample.as_ref()?;
         let (channel, error) = self.error()?;
         let color = CHANNELS[channel];
+        let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
+        if self.mode == ShadingMode::Flat {
+            let cause = "Flat shading has one colour for the whole face";
+            return Some([
+                format!("{cause}: {drawn} instead of {exact} in {color}."),
+                "The model is evaluated at its middle.".to_owned(),
+            ]);
+        }
         if self.mode == ShadingMode::UnitVectors {
-            let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
             let cause = "Interpolated unit vectors are too short";
             let length = sample.normal_length;
             // Face normals keep their length; l and o do not.
@@ -100,6 +107,7 @@ impl ProbedSurface {
     pub fn cost(&self) -> String {
         let (kind, within) = (self.kind.name(), self.tolerance);
         match (self.mode, self.kind) {
+            (ShadingMode::Flat, _) => "The model is evaluated once a face.".to_owned(),
             (ShadingMode::Gouraud, SquareKind::PerPixel | SquareKind::InF64) => {
                 "The model is not evaluated here: the levels of three vertices are interpolated at every pixel."
                     .to_owned()

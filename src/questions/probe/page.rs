@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use super::json::bytes;
 use super::{Probe, ProbedSurface, Source};
-use crate::components::{LightKind, TRIANGLES};
+use crate::components::{LightKind, ShadingMode, TRIANGLES};
 use crate::output::words::CHANNELS;
 use crate::reference::Sample;
 
@@ -52,9 +52,15 @@ impl Probe {
         } else {
             page.begin("The reference sees another face, at an edge.");
         }
-        let drawn = [("Phong", surface.phong), ("Gouraud", surface.gouraud)];
-        for (mode, levels) in drawn {
-            page.begin(&format!("{mode} as the renderer draws it"));
+        let mut drawn = vec![
+            ("Phong as the renderer draws it", surface.phong),
+            ("Gouraud as the renderer draws it", surface.gouraud),
+        ];
+        if surface.mode == ShadingMode::Flat {
+            drawn.push(("Flat: one colour for the whole face", surface.drawn.into()));
+        }
+        for (heading, levels) in drawn {
+            page.begin(heading);
             page.levels("levels", levels);
             page.cells("bytes", bytes(levels));
         }

@@ -17,7 +17,7 @@ use super::front;
 use super::measurement::{Measurement, Report};
 use super::verdict::UNSEEN;
 use crate::components::ShadingMode;
-use crate::output::chart::{self, Area, FAINT, GREEN, ORANGE, PURPLE};
+use crate::output::chart::{self, Area, BLUE, FAINT, GREEN, ORANGE, PURPLE};
 
 /// The least error with a place of its own, in levels.
 pub const FLOOR: f64 = 1e-3;
@@ -44,6 +44,7 @@ pub fn vertices<'a>(measured: impl IntoIterator<Item = &'a Measurement>) -> Vec<
 /// The hues of the window's chart, darker because the ground is white.
 fn color(mode: ShadingMode) -> RGBColor {
     match mode {
+        ShadingMode::Flat => BLUE,
         ShadingMode::Gouraud => ORANGE,
         ShadingMode::Phong => GREEN,
         ShadingMode::UnitVectors => PURPLE,

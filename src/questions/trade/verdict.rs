@@ -4,7 +4,7 @@
 
 use super::measurement::Measurement;
 use crate::components::Segments;
-use crate::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use crate::components::ShadingMode::{Flat, Gouraud, Phong, UnitVectors};
 use crate::output::words::{capital, pace, short};
 use crate::shading::Method;
 
@@ -80,6 +80,7 @@ pub fn method_name(method: Method) -> String {
         return format!("{own} with {count} x {count} cells");
     }
     match (method.mode, method.tolerance) {
+        (Flat, _) => "flat shading".to_owned(),
         (UnitVectors, _) => "interpolated unit vectors".to_owned(),
         (Gouraud, 0.0) => "exact Gouraud".to_owned(),
         // Its tolerance is against itself, and says nothing about its error against Phong.

@@ -167,7 +167,8 @@ fn take<'a, T>(slice: &mut &'a mut [T], len: usize) -> &'a mut [T] {
         .unwrap_or_default()
 }
 
-fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {
+/// Overwrites a range of a buffer, if the frame keeps it.
+pub(crate) fn fill<T: Copy>(slice: &mut [T], range: Range<usize>, value: T) {
     if !slice.is_empty() {
         slice[range].fill(value);
     }

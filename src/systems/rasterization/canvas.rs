@@ -6,15 +6,17 @@ use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, mask32x16, u32x16};
+use glam::DVec3;
 
 use crate::components::TriangleId;
+use crate::shading::display::display_pixel;
 use crate::shading::face::Face;
 use crate::shading::pixels::Pixels;
 use crate::shading::rows::Rows;
 use crate::shading::simd::three;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
 use crate::shading::{Counts, SquareKind};
-use crate::systems::frame::{Band, SQUARE_EDGE};
+use crate::systems::frame::{Band, SQUARE_EDGE, fill};
 
 /// The pixels of a band that a piece covers.
 pub struct Canvas<'a, 'b> {
@@ -139,6 +141,40 @@ impl Canvas<'_, '_> {
             let lines = self.band.bytes[start..].chunks_exact_mut(self.band.width);
             for (row, line) in lines.take(square.side).enumerate() {
                 line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
+            }
+        }
+    }
+
+    /// Fills all pixels of the piece that are seen with one colour, in levels.
+    pub fn fill(&mut self, levels: DVec3, face: &Face) {
+        let levels = levels.as_vec3().to_array();
+        let pixel = display_pixel(levels.map(f64::from));
+        let rows = self.band.held(self.spans.rows());
+        for row in (rows.start / MAX_SIDE * MAX_SIDE..rows.end).step_by(MAX_SIDE) {
+            let (extent, _) = self.spans.columns(row..row + MAX_SIDE);
+            for column in (extent.start / MAX_SIDE * MAX_SIDE..extent.end).step_by(MAX_SIDE) {
+                let square = Square::new(&self.spans, [column, row], MAX_SIDE);
+                let seen = self.seen_pixels(&square);
+                if seen == 0 {
+                    continue;
+                }
+                let rows = self.rows(&square);
+                for (row, span) in self.spans.clipped(rows, square.columns) {
+                    let pixels = self.band.indices(row, &span);
+                    if !self.band.overlaps(row) {
+                        fill(self.band.bytes, pixels.clone(), pixel);
+                        fill(self.band.levels, pixels, levels);
+                        continue;
+                    }
+                    for index in pixels {
+                        if self.band.triangles[index].face_id() == self.face_id {
+                            fill(self.band.bytes, index..index + 1, pixel);
+                            fill(self.band.levels, index..index + 1, levels);
+                        }
+                    }
+                }
+                self.counts.add(SquareKind::Linear, 1, seen);
+                self.mark(&square, SquareKind::Linear, face);
             }
         }
     }

@@ -45,7 +45,9 @@ impl DrawList {
                     (ShadingMode::Gouraud, VertexColors::Grid(grids)) => {
                         piece.grid = Some(grids[face / 2]);
                     }
-                    (ShadingMode::Gouraud, _) => piece.corners = colors.of_face(face),
+                    (ShadingMode::Flat | ShadingMode::Gouraud, _) => {
+                        piece.corners = colors.of_face(face);
+                    }
                     _ => piece.corners = normals.of_face(face),
                 }
             }

@@ -1,4 +1,4 @@
-//! Draws a face as a quadtree of squares, each by the cheapest evaluation that keeps the tolerance.
+//! Draws a face as a quadtree of squares, each by the cheapest evaluation that keeps the tolerance. A flat face is filled.
 //!
 //! The evaluation is chosen from all pixels of a square that the face covers, including those that are hidden or in another
 //! band, so the choice does not depend on the number of threads.
@@ -53,6 +53,9 @@ impl DrawList {
         }
         let object = &self.objects[piece.object];
         let face = Face::new(&piece.plane, &object.transform, object.half, &self.rays);
+        if object.mode == ShadingMode::Flat {
+            return canvas.fill(piece.corners[0], &face);
+        }
         let shader = &mut self.shader(piece, &face, lights, to_lights, cells);
         dispatch!(level, simd => match &small {
             Some(square) => {
@@ -81,7 +84,8 @@ impl DrawList {
         let (corners, tolerance) = (&piece.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {
-            ShadingMode::Gouraud => {
+            // A flat face is filled before; Gouraud between equal levels is the same.
+            ShadingMode::Flat | ShadingMode::Gouraud => {
                 let source = match piece.grid {
                     Some(grid) => Source::Grid(self.grids.get(grid), cells),
                     None => Source::Corners(corners),

@@ -21,7 +21,7 @@ use crate::window::widgets::{VARY, color_button, number, vary_button};
 const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
 /// The keys whose value is one of these words.
 const CHOICES: [(&str, &[&str]); 3] = [
-    ("shading", &["gouraud", "phong"]),
+    ("shading", &["flat", "gouraud", "phong"]),
     ("normals", &["corner", "face"]),
     ("kind", &["ambient", "diffuse", "specular"]),
 ];

@@ -85,7 +85,7 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study,
             choose_method(
                 world,
                 match method.mode {
-                    ShadingMode::UnitVectors => method,
+                    ShadingMode::Flat | ShadingMode::UnitVectors => method,
                     mode => Method::of(mode, tolerance),
                 },
             );

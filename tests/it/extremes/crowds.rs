@@ -30,7 +30,7 @@ const TOLERANCES: [f64; 2] = [0.0, 0.5];
 fn views(size: [usize; 2], eye: DVec3) -> Vec<View> {
     let mut views = Vec::new();
     for projection in Projection::ALL {
-        for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+        for mode in ShadingMode::ALL {
             views.push(view(size, eye, DVec3::ZERO, projection).shaded(mode));
         }
     }

@@ -191,7 +191,17 @@ impl<'a> Scene<'a> {
         };
         let lit =
             |place: &Vector, normal: &Vector| self.lit(material, place, normal, &to_eye(place));
-        if self.view.shading.unwrap_or(*mode) == ShadingMode::Gouraud {
+        let mode = self.view.shading.unwrap_or(*mode);
+        if mode == ShadingMode::Flat {
+            let face = FACES[face % 6].map(|corner| &all[usize::from(corner)]);
+            let sum = |of: &dyn Fn(&Corner) -> Vector| {
+                let [a, b, c, d] = face.map(of);
+                plus(&plus(&a, &b), &plus(&c, &d))
+            };
+            let middle = times(&sum(&|corner| corner.place.clone()), &big(0.25));
+            return lit(&middle, &unit(&sum(&normal_of)));
+        }
+        if mode == ShadingMode::Gouraud {
             if *segments > 1 {
                 let face = FACES[face % 6].map(|corner| all[usize::from(corner)].clone());
                 let parts = weighted_vertices(&face, &place, *segments).map(|(vertex, weight)| {

@@ -18,7 +18,7 @@ use crate::support::scene::{draw, truth};
 
 /// A scene and a tolerance in levels.
 fn asked() -> impl Strategy<Value = (Case, f64)> {
-    let mode = prop_oneof![Just(ShadingMode::Gouraud), Just(ShadingMode::Phong)];
+    let mode = proptest::sample::select(ShadingMode::ALL.to_vec());
     let tolerance = prop_oneof![1 => Just(0.0), 4 => between(1e-4, 8.0)];
     (mode.prop_flat_map(case), tolerance)
 }

@@ -127,7 +127,7 @@ fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
         for case in 0..cases(60) {
             let size = SIZES[case % SIZES.len()];
             let (mut world, view) = scene(&mut random, size);
-            let mode = [ShadingMode::Phong, ShadingMode::Gouraud][case % 2];
+            let mode = ShadingMode::ALL[case % 3];
             let mut view = view.shaded(mode).with_tolerance([0.5, 0.0][case / 2 % 2]);
             view.segments = Segments::new([1, 2, 9, 100][case / 4 % 4]);
             systems::draw(&mut world, &view, &mut alone).expect("a small picture fits");
@@ -154,7 +154,7 @@ fn no_pixel_of_any_cuboid_is_refuted() {
         for case in 0..cases(10) {
             let size = [[64, 48], [97, 73], [33, 129]][case % 3];
             let (mut world, view) = scene(&mut random, size);
-            let mode = [ShadingMode::Phong, ShadingMode::Gouraud][case % 2];
+            let mode = ShadingMode::ALL[case % 3];
             let mut view = view.shaded(mode).with_tolerance(0.5);
             view.segments = Segments::new([1, 2, 9, 100][case / 2 % 4]);
             let proof = finished(prove(&mut world, &view, None, Level::new(), Monitor::NONE))

@@ -45,7 +45,7 @@ fn pixels<R: Real, T>(
 fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
     /// The error of f64 itself, in levels.
     const ROUNDING: f64 = 1e-6;
-    let mode = prop_oneof![Just(ShadingMode::Gouraud), Just(ShadingMode::Phong)];
+    let mode = proptest::sample::select(ShadingMode::ALL.to_vec());
     let tolerance = prop_oneof![1 => Just(0.0), 4 => between(1e-3, 8.0)];
     let asked = (mode.prop_flat_map(case), tolerance);
     let (mut all, mut required, mut false_alarms) = (0_u32, 0_u32, 0_u32);

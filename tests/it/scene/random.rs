@@ -49,7 +49,7 @@ pub fn cuboid(random: &mut Random) -> CuboidRecord {
     let [ambient, diffuse, specular] = [(); 3].map(|()| three(random, &Strength::RANGE));
     CuboidRecord {
         rotation: three(random, &Angle::RANGE),
-        shading: random.one_of(&[ShadingMode::Gouraud, ShadingMode::Phong]),
+        shading: random.one_of(&ShadingMode::ALL),
         normals: random.one_of(&NormalMode::ALL),
         material: Material {
             ambient,

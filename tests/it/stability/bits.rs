@@ -64,7 +64,7 @@ fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
     let eye = DVec3::new(0.0, 0.0, 30.0);
     let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic);
     view.camera.height = 20.0;
-    let views = [ShadingMode::Gouraud, ShadingMode::Phong].map(|mode| view.shaded(mode));
+    let views = ShadingMode::ALL.map(|mode| view.shaded(mode));
     assert_same_with_threads(&mut world, &views, Keep::Display, 60_000);
 }
 

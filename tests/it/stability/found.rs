@@ -37,7 +37,7 @@ fn on_a_corner_without_weight_of_others_every_level_is_defined() {
         }
         for projection in Projection::ALL {
             let view = view([1, 1], DVec3::ZERO, DVec3::ONE, projection);
-            let modes = [ShadingMode::Gouraud, ShadingMode::Phong];
+            let modes = ShadingMode::ALL;
             assert_defined(&mut world, &view, &modes);
         }
     }

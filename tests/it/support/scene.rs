@@ -14,7 +14,8 @@ use shadetrade::scene::Scene;
 use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
 
-pub const MODES: [ShadingMode; 3] = [
+pub const MODES: [ShadingMode; 4] = [
+    ShadingMode::Flat,
     ShadingMode::Gouraud,
     ShadingMode::Phong,
     ShadingMode::UnitVectors,
