@@ -51,9 +51,13 @@ pub fn draw_with(
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
     let meshes = world.query_mut::<(&ShadingMode, &Segments)>().into_iter();
     let gouraud = meshes.filter(|(mode, _)| view.mode(**mode) == ShadingMode::Gouraud);
-    let points = gouraud.map(|(_, segments)| Grids::points(view.segments(*segments)));
-    let points = points.fold(0, usize::saturating_add);
-    frame.begin(view.size, rows, cuboids > 1, points)?;
+    let mut grids = [0_usize; 2];
+    for (_, segments) in gouraud {
+        let points = Grids::points(view.segments(*segments));
+        grids[0] += usize::from(points > 0);
+        grids[1] = grids[1].saturating_add(points);
+    }
+    frame.begin(view.size, rows, cuboids > 1, grids)?;
     for run in stages {
         run(world, view, frame);
     }

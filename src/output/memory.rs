@@ -4,41 +4,59 @@
 //! (overcommit). Other systems lack `/proc/meminfo`; they refuse an allocation without memory for it, or swap.
 
 use std::collections::TryReserveError;
-use std::fs;
+use std::{fmt, fs};
 
 /// Allocations of up to this many bytes are not checked.
 const LARGE: usize = 16 << 20;
 /// Bytes kept free for small allocations, whose failure would end the program without a message.
 const SPARE: usize = 32 << 20;
 
-/// The pictures of a work do not fit in memory.
-#[derive(Debug, thiserror::Error)]
-#[error(
-    "a picture of {}x{} pixels does not fit in memory: it takes {}, {}",
-    .size[0], .size[1], megabytes(*.needed), left_text(*.left)
-)]
-pub struct OutOfMemory {
-    /// Width and height of a picture, in pixels.
-    pub size: [usize; 2],
-    /// Bytes to allocate.
-    pub needed: usize,
-    /// Bytes available without swapping, if known.
-    pub left: Option<usize>,
+/// What memory is needed for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// A picture, or several of its size: width and height, in pixels.
+    Picture([usize; 2]),
+    /// The grids of this number of cuboids with several segments.
+    Grids(usize),
 }
 
-/// Checks that `needed` more bytes are available for a picture of `size` pixels.
+impl From<[usize; 2]> for Content {
+    fn from(size: [usize; 2]) -> Self {
+        Content::Picture(size)
+    }
+}
+
+impl fmt::Display for Content {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Content::Picture([width, height]) => {
+                write!(formatter, "a picture of {width}x{height} pixels")
+            }
+            Content::Grids(1) => write!(formatter, "the grids of 1 cuboid"),
+            Content::Grids(cuboids) => write!(formatter, "the grids of {cuboids} cuboids"),
+        }
+    }
+}
+
+/// Something does not fit in memory.
+#[derive(Debug, thiserror::Error)]
+#[error("memory has no room for {content}: {:.0} MB are needed", *.needed as f64 / 1e6)]
+pub struct OutOfMemory {
+    pub content: Content,
+    /// Bytes to allocate.
+    pub needed: usize,
+}
+
+/// Checks that `needed` more bytes are available.
 ///
 /// # Errors
 /// If the system reports fewer.
-pub fn check(size: [usize; 2], needed: usize) -> Result<(), OutOfMemory> {
-    if needed <= LARGE {
-        return Ok(());
+pub fn check(content: impl Into<Content>, needed: usize) -> Result<(), OutOfMemory> {
+    if needed > LARGE && available().is_some_and(|bytes| bytes.saturating_sub(SPARE) < needed) {
+        let content = content.into();
+        return Err(OutOfMemory { content, needed });
     }
-    let left = available().map(|bytes| bytes.saturating_sub(SPARE));
-    match left {
-        Some(bytes) if bytes < needed => Err(OutOfMemory { size, needed, left }),
-        _ => Ok(()),
-    }
+    Ok(())
 }
 
 /// An empty vector with capacity for every pixel of a picture of `size`.
@@ -66,10 +84,13 @@ pub fn clear<T>(list: &mut Vec<T>, len: usize) {
     }
 }
 
-/// Converts a refused allocation for a picture of `size` pixels, `needed` bytes in all, into [`OutOfMemory`].
-pub fn refused(size: [usize; 2], needed: usize) -> impl Fn(TryReserveError) -> OutOfMemory {
-    let left = None;
-    move |_| OutOfMemory { size, needed, left }
+/// Converts a refused allocation of `needed` bytes into [`OutOfMemory`].
+pub fn refused(
+    content: impl Into<Content>,
+    needed: usize,
+) -> impl FnOnce(TryReserveError) -> OutOfMemory {
+    let content = content.into();
+    move |_| OutOfMemory { content, needed }
 }
 
 /// Bytes available without swapping, if the system reports them.
@@ -83,19 +104,6 @@ fn mem_available(table: &str) -> Option<usize> {
     let row = rows.find_map(|row| row.strip_prefix("MemAvailable:"))?;
     let kibibytes: usize = row.split_whitespace().next()?.parse().ok()?;
     kibibytes.checked_mul(1024)
-}
-
-/// A number of bytes in megabytes.
-fn megabytes(bytes: usize) -> String {
-    format!("{:.0} MB", bytes as f64 / 1e6)
-}
-
-/// The end of a message about too little memory.
-fn left_text(left: Option<usize>) -> String {
-    left.map_or_else(
-        || "more than the system grants".to_owned(),
-        |bytes| format!("and {} are left", megabytes(bytes)),
-    )
 }
 
 #[cfg(test)]
@@ -122,16 +130,23 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn half_of_the_address_space_is_refused_with_both_numbers() {
-        let error =
-            check([16384, 16384], usize::MAX / 2).expect_err("nobody has half of all addresses");
-        assert!(error.left.is_some_and(|left| left > LARGE));
-        let said = error.to_string();
-        assert!(
-            said.contains("16384x16384")
-                && said.contains(" MB, and ")
-                && said.ends_with(" MB are left")
-        );
+    fn half_of_the_address_space_is_refused_in_words_that_say_what_does_not_fit() {
+        let half = usize::MAX / 2;
+        for (content, words) in [
+            (
+                Content::Picture([16384, 100]),
+                "a picture of 16384x100 pixels",
+            ),
+            (Content::Grids(6000), "the grids of 6000 cuboids"),
+            (Content::Grids(1), "the grids of 1 cuboid"),
+        ] {
+            let error = check(content, half).expect_err("nobody has half of all addresses");
+            assert_eq!((error.content, error.needed), (content, half));
+            assert!(
+                error.to_string().contains(&format!("{words}: 92233720368")),
+                "{error}"
+            );
+        }
         check([1, 1], LARGE).expect("a small allocation is not checked");
         assert!(reserve_pixels::<[u8; 1 << 40]>([16384, 16384]).is_err());
     }

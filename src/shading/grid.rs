@@ -15,7 +15,7 @@ use glam::DVec3;
 
 use super::U;
 use crate::components::Segments;
-use crate::output::memory::{self, OutOfMemory};
+use crate::output::memory::{self, Content, OutOfMemory};
 use crate::shading::simd::{inlined, three, two};
 
 /// The grids of all faces in a frame.
@@ -46,18 +46,18 @@ impl Grids {
         3 * segments.points()
     }
 
-    /// Removes all grids, and allocates memory for this number of points beside a picture of `size`.
+    /// Removes all grids, and allocates memory for those of this number of cuboids, with this number of points in all.
     ///
     /// # Errors
     /// If there is too little memory.
-    pub fn reserve(&mut self, size: [usize; 2], points: usize) -> Result<(), OutOfMemory> {
+    pub fn reserve(&mut self, [cuboids, points]: [usize; 2]) -> Result<(), OutOfMemory> {
         memory::clear(&mut self.levels, points.max(KEPT));
         self.faces.clear();
         if points > self.levels.capacity() {
             let needed = points.saturating_mul(size_of::<DVec3>());
-            memory::check(size, needed)?;
+            memory::check(Content::Grids(cuboids), needed)?;
             let reserved = self.levels.try_reserve_exact(points);
-            reserved.map_err(memory::refused(size, needed))?;
+            reserved.map_err(memory::refused(Content::Grids(cuboids), needed))?;
         }
         Ok(())
     }
@@ -280,7 +280,7 @@ mod tests {
 
     use super::super::running::{Rounded, at_corner, w_at_corner};
     use super::*;
-    use crate::shading::simd::token;
+    use crate::shading::simd::baseline;
 
     const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
 
@@ -352,9 +352,9 @@ mod tests {
                 };
                 let places = [0.732, 0.236].map(|step| from_fn(|lane| place(lane, step) as f32));
                 let drawn = grid.levels(
-                    token(),
+                    baseline(),
                     origin,
-                    places.map(|it: [f32; 16]| f32x16::simd_from(token(), it)),
+                    places.map(|it: [f32; 16]| f32x16::simd_from(baseline(), it)),
                 );
                 for lane in 0..16 {
                     let uv = two!(|axis| {

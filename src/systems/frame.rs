@@ -163,8 +163,8 @@ impl Frame {
         self.counts
     }
 
-    /// Allocates the buffers for these rows of a picture, unless they fit, and memory for this number of points of grids.
-    /// Resets the counts. With `several` cuboids the visible triangles are kept, too.
+    /// Allocates the buffers for these rows of a picture, unless they fit, and memory for `grids`: the number of cuboids that
+    /// have them, and that of their points. Resets the counts. With `several` cuboids the visible triangles are kept, too.
     ///
     /// # Errors
     /// If there is too little memory. The frame is then empty.
@@ -173,10 +173,26 @@ impl Frame {
         size: [usize; 2],
         rows: Range<usize>,
         several: bool,
-        points: usize,
+        grids: [usize; 2],
     ) -> Result<(), OutOfMemory> {
         self.counts = Counts::default();
-        self.list.grids.reserve(size, points)?;
+        let allocated = self.allocate(size, rows, several, grids);
+        if allocated.is_err() {
+            // The old picture must not be taken for the new one.
+            self.buffers = Buffers::default();
+        }
+        allocated
+    }
+
+    /// See [`Self::begin`].
+    fn allocate(
+        &mut self,
+        size: [usize; 2],
+        rows: Range<usize>,
+        several: bool,
+        grids: [usize; 2],
+    ) -> Result<(), OutOfMemory> {
+        self.list.grids.reserve(grids)?;
         let shown = self.keep == Keep::Display;
         let wanted = |kept: bool| if kept { size[0] * rows.len() } else { 0 };
         let [pixels, levels, triangles] = [shown, !shown, several || !shown].map(wanted);
@@ -184,7 +200,7 @@ impl Frame {
         if old.size == size && old.rows == rows && old.triangles.as_slice().len() == triangles {
             return Ok(());
         }
-        // If the allocation fails, the old picture must not be taken for the new one.
+        // The old buffers are given back before new ones are asked for.
         self.buffers = Buffers::default();
         let needed = (pixels + triangles) * size_of::<u32>()
             + levels * (size_of::<[f32; 3]>() + size_of::<u8>());

@@ -3,7 +3,10 @@
 
 use allocation_counter::measure;
 use fearless_simd::Level;
+use hecs::World;
+use shadetrade::components::{Segments, ShadingMode, View};
 use shadetrade::output::Output;
+use shadetrade::output::memory::Content;
 use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
 
@@ -67,6 +70,28 @@ fn a_picture_that_memory_cannot_hold_names_its_bytes() {
         let needed = refused.expect_err("no machine has a terabyte left").needed;
         assert_eq!(needed, bytes << 40, "{keep:?}, {cuboids} cuboids");
     }
+}
+
+#[test]
+fn grids_that_memory_cannot_hold_name_their_cuboids_and_leave_an_empty_frame() {
+    let view = views([40, 30]).swap_remove(0).shaded(ShadingMode::Gouraud);
+    let mut frame = Frame::new(Keep::Display, Workers::alone(Level::new()));
+    systems::draw(&mut still_life(1), &view, &mut frame).expect("a small picture fits");
+    assert_eq!(frame.pixels().len(), 40 * 30);
+    let mut crowd = World::new();
+    let segments = Segments::new(256).expect("it is legal");
+    crowd.spawn_batch((0..1_000_000).map(|_| (ShadingMode::Gouraud, segments)));
+    crowd.spawn((ShadingMode::Phong, segments));
+    crowd.spawn((ShadingMode::Gouraud, Segments::default()));
+    let view = View {
+        shading: None,
+        ..view
+    };
+    let refused = systems::draw(&mut crowd, &view, &mut frame).expect_err("it takes terabytes");
+    assert_eq!(refused.content, Content::Grids(1_000_000));
+    // Three faces are seen at most, and a point has three numbers of eight bytes.
+    assert_eq!(refused.needed, 1_000_000 * 3 * 257 * 257 * 24);
+    assert_eq!((frame.size(), frame.pixels().len()), ([0, 0], 0));
 }
 
 #[test]

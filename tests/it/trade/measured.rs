@@ -283,7 +283,7 @@ fn what_cannot_be_measured_or_written_is_an_error() {
     // Per pixel: four reference pictures of 28 bytes, a frame of 17, a list of errors of 8.
     let bytes = f64::from(112 + 17 + 8) * 2.0_f64.powi(48) / 1e6;
     let needed = format!(
-        "cannot be compared: a picture of 16777216x16777216 pixels does not fit in memory: it takes {bytes:.0} MB"
+        "cannot be compared: memory has no room for a picture of 16777216x16777216 pixels: {bytes:.0} MB are needed"
     );
     // Measuring the first picture would take long.
     for (side, folder, words) in [(4000, "missing/out", "missing"), (1 << 24, "out", &needed)] {
