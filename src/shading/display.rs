@@ -42,11 +42,11 @@ pub(super) fn display<S: Simd>(levels: [f32x16<S>; 3]) -> u32x16<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shading::simd::token;
+    use crate::shading::simd::baseline;
 
     /// The byte of one level by the fast step, in all three places.
     fn shown(level: f32) -> u32 {
-        display([f32x16::splat(token(), level); 3]).as_array()[0]
+        display([f32x16::splat(baseline(), level); 3]).as_array()[0]
     }
 
     #[test]

@@ -112,7 +112,7 @@ pub(super) mod tests {
     use super::*;
     use crate::components::{Illumination, Material, PointLight};
     use crate::shading::U;
-    use crate::shading::simd::token;
+    use crate::shading::simd::baseline;
     use crate::shading::specular::{self, power_exact};
 
     /// A material under one light of 100 levels.
@@ -141,12 +141,13 @@ pub(super) mod tests {
             material: &material,
             illumination: &illumination,
             centre: DVec3::ZERO,
+            plane: None,
         };
         Gloss::new(&surface, tolerance)
     }
 
     fn propagated(gloss: &Gloss, chord: f64) -> f64 {
-        gloss.propagated(f64x4::splat(token(), chord)).as_array()[0]
+        gloss.propagated(f64x4::splat(baseline(), chord)).as_array()[0]
     }
 
     #[test]
@@ -154,7 +155,7 @@ pub(super) mod tests {
         for (shininess, behind) in [(5e-324, 0.0), (1e-40, 0.0), (0.0, 1.0)] {
             let shininess = gloss(shininess, 0.0).shininess;
             let power = |one_minus_cos| {
-                let places = f32x16::splat(token(), one_minus_cos);
+                let places = f32x16::splat(baseline(), one_minus_cos);
                 specular::power(shininess, places).as_array()[0]
             };
             assert_eq!([power(0.5), power(1.5)], [1.0, behind], "{shininess:e}");

@@ -89,7 +89,7 @@ impl LaneLayout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shading::simd::token;
+    use crate::shading::simd::baseline;
 
     #[test]
     fn each_square_has_its_own_lanes() {
@@ -97,7 +97,7 @@ mod tests {
         for square in 0..4 {
             let set = 1 << square;
             assert!(LaneLayout::Nodes.any(set));
-            let within = LaneLayout::Nodes.within(token(), set, 7.0);
+            let within = LaneLayout::Nodes.within(baseline(), set, 7.0);
             for lane in 0..16 {
                 assert_eq!(within[lane] == 7.0, lane % 4 == square);
             }

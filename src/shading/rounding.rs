@@ -108,7 +108,7 @@ mod tests {
     use super::super::specular::{EXPONENT_ERROR, POWER_ERROR};
     use super::super::{field, interpolation};
     use super::*;
-    use crate::shading::simd::{Baseline, token};
+    use crate::shading::simd::{Baseline, baseline};
 
     /// A vector of length one at the middle of a square, which moves by that much to the right and down.
     type Moving = [[f64; 3]; 3];
@@ -145,7 +145,7 @@ mod tests {
 
     fn field([centre, dx, dy]: &Moving) -> Field<Baseline> {
         let [centre, dx, dy] = [centre, dx, dy].map(|v| DVec3::from_array(*v));
-        let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(token(), number); 2]);
+        let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(baseline(), number); 2]);
         let extents = Extents { middle, half };
         Field::new(&Affine { centre, dx, dy }, &extents)
     }
@@ -266,7 +266,7 @@ mod tests {
             let mut count = Rounding::new(&steady, &steady, ambient);
             let mut sum = Rounded::stored(ambient);
             for &levels in &terms {
-                count.add(f64x4::splat(token(), levels), count.cosine(&steady));
+                count.add(f64x4::splat(baseline(), levels), count.cosine(&steady));
                 sum = sum + Rounded::stored(levels) * Rounded::exact(1.0);
             }
             let own = terms.iter().sum::<f64>() * one(count.cosine(&steady)) * U;

@@ -86,10 +86,10 @@ pub const POWER_ERROR: f64 = 6.0;
 mod tests {
     use super::*;
     use crate::shading::U;
-    use crate::shading::simd::token;
+    use crate::shading::simd::baseline;
 
     fn power(shininess: f32, one_minus_cos: f32) -> f32 {
-        super::power(shininess, f32x16::splat(token(), one_minus_cos)).as_array()[0]
+        super::power(shininess, f32x16::splat(baseline(), one_minus_cos)).as_array()[0]
     }
 
     const SHININESSES: [f64; 12] = [

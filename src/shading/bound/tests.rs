@@ -8,7 +8,7 @@ use super::*;
 use crate::shading::field::{Extents, MAX_RADIUS};
 use crate::shading::gloss::tests::gloss;
 use crate::shading::interpolation::NODE;
-use crate::shading::simd::{Baseline, token};
+use crate::shading::simd::{Baseline, baseline};
 
 type Number = f64x4<Baseline>;
 
@@ -43,7 +43,7 @@ impl Random {
 
 /// A square at the picture's middle.
 fn square(half: f64) -> Extents<Baseline> {
-    let [zero, half] = [0.0, half].map(|number| Number::splat(token(), number));
+    let [zero, half] = [0.0, half].map(|number| Number::splat(baseline(), number));
     Extents {
         middle: [zero; 2],
         half: [half; 2],
@@ -164,7 +164,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
             o.dot(r)
         };
         let rounding = 1e-6;
-        let (cosine, lit, dark) = facing(&n, &l, Number::splat(token(), rounding));
+        let (cosine, lit, dark) = facing(&n, &l, Number::splat(baseline(), rounding));
         let range = reflection([&n, &l, &o], cosine);
         let [most, least, sine] = [range.most, range.least, range.sine].map(one);
         for row in 0..=6 {
@@ -187,7 +187,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
             let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess), |power| power);
             ratios.push((error - 1e-14) / (bound + 1e-14));
         }
-        let none = Number::splat(token(), 0.0);
+        let none = Number::splat(baseline(), 0.0);
         let bound = one(logarithm_error(&gloss, fields, range, most, none));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).ln() * shininess, f64::exp);
@@ -211,7 +211,7 @@ fn a_quotient_strays_no_further_than_its_bound() {
             random.within(-99.0, 99.0),
         ];
         let [numerator, w] = [Affine::new(a, b, c), Affine::new(1.0, e, g)]
-            .map(|of| of.map(|number| Number::splat(token(), number)));
+            .map(|of| of.map(|number| Number::splat(baseline(), number)));
         let bound = one(quotient_error(numerator, w));
         let quotient = |x, y| (a + b * x + c * y) / (1.0 + e * x + g * y);
         let error = interpolation(quotient, |quotient| quotient);
@@ -223,7 +223,7 @@ fn a_quotient_strays_no_further_than_its_bound() {
 #[test]
 fn the_bound_of_a_quotient_is_the_one_on_paper() {
     // The third derivative of (1 - t) / (1 + t / 2) is largest at t = -1: 6 (1 + 1/2) (1/2)^2 / (1/2)^4 = 36.
-    let [unit, half, zero, most] = [1.0, 0.5, 0.0, 36.0].map(|it| Number::splat(token(), it));
+    let [unit, half, zero, most] = [1.0, 0.5, 0.0, 36.0].map(|it| Number::splat(baseline(), it));
     for [along, down] in [[unit, zero], [zero, unit]] {
         let w = Affine::new(unit, half * along, half * down);
         let found = quotient_error(Affine::new(unit, -along, -down), w);
@@ -236,11 +236,11 @@ fn the_bound_of_a_quotient_is_the_one_on_paper() {
 fn a_numerator_may_change_as_w_along_x_and_against_it_along_y() {
     // (1 + (x - y) / 4) / (1 + (x + y) / 4): b - a e = 0, c - a g = -1/2, b g - c e = 1/8, and w is at least 1/2.
     let lanes = |numbers: [f64; 3]| {
-        let [centre, dx, dy] = numbers.map(|it| Number::splat(token(), it));
+        let [centre, dx, dy] = numbers.map(|it| Number::splat(baseline(), it));
         Affine::new(centre, dx, dy)
     };
     let found = quotient_error(lanes([1.0, 0.25, -0.25]), lanes([1.0, 0.25, 0.25]));
-    let expected = [0.75, 3.75].map(|it| Number::splat(token(), it));
+    let expected = [0.75, 3.75].map(|it| Number::splat(baseline(), it));
     assert_eq!(one(found), one(interpolation_error(expected)));
 }
 
@@ -248,7 +248,7 @@ fn a_numerator_may_change_as_w_along_x_and_against_it_along_y() {
 fn the_derivatives_of_a_product_are_those_of_leibniz() {
     // 3 + 3 (2 10 + 1 20) + 30 is the third.
     let [a, b] =
-        [1.0, 10.0].map(|size| [1.0, 2.0, 3.0].map(|it| Number::splat(token(), size * it)));
+        [1.0, 10.0].map(|size| [1.0, 2.0, 3.0].map(|it| Number::splat(baseline(), size * it)));
     assert_eq!(product(a, b).map(one), [11.0, 42.0, 153.0]);
 }
 
@@ -257,7 +257,7 @@ fn the_power_is_never_below_the_true_one() {
     for shininess in [0.0, 0.5, 1.0, 2.0, 76.8, 1e3, 1e6] {
         for step in 0..=1000 {
             let s = 1.0 - (f64::from(step) / 1000.0).powi(5);
-            let bound = one(power(shininess as f32, Number::splat(token(), s)));
+            let bound = one(power(shininess as f32, Number::splat(baseline(), s)));
             assert!(bound >= s.powf(shininess), "{s}^{shininess}: {bound}");
         }
     }
@@ -289,7 +289,7 @@ fn the_largest_products_of_powers_of_sine_and_cosine_are_known() {
 fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     // o and r are 60 degrees apart, so |r - o| = 1. Only l moves, along x, with p = q = 1/10: E_1 = 0.1,
     // E_2 = 0.02 / sqrt(3), E_3 = 0.003. For rho = 1 the third derivative is at most 3 E_1 E_2 + |r - o| E_3.
-    let number = |value| f64x4::splat(token(), value);
+    let number = |value| f64x4::splat(baseline(), value);
     let extents = square(0.5);
     let vector = Affine {
         centre: DVec3::Z,
@@ -338,12 +338,12 @@ fn a_logarithm_in_f32_errs_by_no_more_than_is_counted() {
             for sign in [1.0, -1.0] {
                 let moved = (chord + sign * rounding * U).max(0.0);
                 let one_minus_cos = moved * moved / 2.0 * (1.0 + sign * 3.0 * U);
-                let lanes = f32x16::splat(token(), one_minus_cos as f32);
+                let lanes = f32x16::splat(baseline(), one_minus_cos as f32);
                 let found = f64::from(specular::exponent(rho as f32, lanes)[0]);
                 let error = found * std::f64::consts::LN_2 - rho * exact(chord).ln();
                 let [chord, over] =
-                    [chord, 1.0 / exact(chord)].map(|it| Number::splat(token(), it));
-                let lanes = Number::splat(token(), rounding);
+                    [chord, 1.0 / exact(chord)].map(|it| Number::splat(baseline(), it));
+                let lanes = Number::splat(baseline(), rounding);
                 let count = rho * one(logarithm_rounding(chord, lanes, over)) * U;
                 most = most.max(error.abs() / count);
             }
@@ -356,7 +356,7 @@ fn a_logarithm_in_f32_errs_by_no_more_than_is_counted() {
 
 #[test]
 fn a_logarithm_has_no_bound_where_s_may_be_small_or_the_error_large() {
-    let number = |value| f64x4::splat(token(), value);
+    let number = |value| f64x4::splat(baseline(), value);
     let extents = square(0.5);
     let vector = Affine {
         centre: DVec3::Z,

@@ -6,7 +6,7 @@ use super::*;
 use crate::shading::display::display_step;
 use crate::shading::rows::Rows;
 use crate::shading::running::Rounded;
-use crate::shading::simd::{Baseline, token};
+use crate::shading::simd::{Baseline, baseline};
 
 /// The term that each pixel makes of the fourth channel, and its factors.
 type Fourth = Option<(SquareKind, [f64; 3])>;
@@ -69,7 +69,7 @@ fn judge(
     side: usize,
     rest: f64,
 ) -> (Option<(SquareKind, [bool; 2])>, Judge) {
-    let simd = token();
+    let simd = baseline();
     let lanes = |number| f64x4::splat(simd, number);
     let interpolant = Interpolant::new(
         color.map(|nine| nine.map(|row| row.map(lanes))),
@@ -241,7 +241,7 @@ fn steps_of_a_256th_cost_what_they_are_said_to() {
 #[test]
 fn samples_err_by_no_more_in_between_than_the_constant_says() {
     // Errors of one that alternate weigh most, and in the corners.
-    let simd = token();
+    let simd = baseline();
     let signs = [1.0, -1.0, 1.0];
     let samples = signs.map(|y: f64| signs.map(|x| f64x4::splat(simd, x * y)));
     let terms = biquadratic(&samples).map(|row| row.map(|term| term.as_array()[0]));
@@ -251,7 +251,7 @@ fn samples_err_by_no_more_in_between_than_the_constant_says() {
 
 #[test]
 fn every_term_that_is_left_out_counts_at_its_size_whatever_its_sign() {
-    let number = |value| f64x4::splat(token(), value);
+    let number = |value| f64x4::splat(baseline(), value);
     let power = |x: f64, exponent: usize| x.powi(exponent as i32);
     for (j, i) in (0..9).map(|term| (term / 3, term % 3)) {
         for sign in [1.0, -1.0] {

@@ -29,7 +29,7 @@ const FAILURES: &str = r#"
 2  render -o b.png --budget 1 --shading phong  ->  --budget|--shading
 2  probe --pixel 1,1 --budget 1  ->  --budget
 2  render -o b.png --threads 0  ->  '0'|1..=1024
-2  render -o b.png --simd sse9  ->  'sse9'|fallback, sse4.2
+2  render -o b.png --simd sse9  ->  'sse9'|fallback, avx2
 2  --camera 3  ->  "3"|"1", "2"
 2  view bench-far --lights white,blue  ->  "blue"|"white", "red"
 2  render -o b.png --lights white,,red  ->  no light is named ""
