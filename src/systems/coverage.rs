@@ -10,8 +10,12 @@
 //!
 //! Snapping moves a vertex by up to half a unit and may bend a face that is seen edge-on. A row still meets one left and one
 //! right edge of it: snapping keeps the order of coordinates, so a vertex is above the row's centres exactly if it was above
-//! a certain height before, and any height meets two edges of a convex outline. A face whose right edge is left of its left
-//! edge covers nothing in that row.
+//! a certain height before, and any height meets two edges of a convex outline. Where snapping puts the right edge of a face
+//! left of its left edge, the face covers nothing in that row, and yet its neighbours do not overlap. In a row the right
+//! edge of a face is the left edge of the next, so the signed lengths of all front faces add up to that of the outline. A
+//! reversed face counts negatively. Its neighbours could overlap only if both its edges were inside the outline. Of the
+//! three edges at a corner of a cuboid no two can be in line on the screen on the same side of the corner, so a face that
+//! is seen edge-on has the outline on one side.
 //!
 //! A small convex face is tested at each pixel of a square around it instead, sixteen at a time (Pineda 1988), which needs no
 //! division.
