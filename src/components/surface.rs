@@ -245,4 +245,13 @@ impl Polygon {
     pub fn vertices(&self) -> &[[i32; 2]] {
         &self.vertices[..usize::from(self.len)]
     }
+
+    /// Whether its bounding box meets a picture of this size in pixels. Else it covers none of them.
+    pub fn meets(&self, size: [usize; 2]) -> bool {
+        (0..2).all(|axis| {
+            let places = self.vertices().iter().map(|vertex| i64::from(vertex[axis]));
+            let end = 256 * size[axis] as i64;
+            places.clone().any(|place| place < end) && places.clone().any(|place| place > 0)
+        })
+    }
 }

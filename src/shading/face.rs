@@ -61,6 +61,8 @@ pub struct Plane {
     /// -m.d and m.O - h; see above.
     pub w: Affine<f64>,
     height: Affine<f64>,
+    /// Its distance from the cuboid's centre.
+    from_centre: f64,
 }
 
 impl Plane {
@@ -76,7 +78,13 @@ impl Plane {
                 centre: outwards.dot(-(transform.position - rays.lens.eye)) - half[axis],
                 ..rays.start.map(|o| outwards.dot(o))
             },
+            from_centre: half[axis],
         }
+    }
+
+    /// The height of a point over the plane; the point is counted from the cuboid's centre.
+    pub fn height_of(&self, point: DVec3) -> f64 {
+        self.outwards.dot(point) - self.from_centre
     }
 
     /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the eye.
@@ -104,8 +112,6 @@ pub struct Face<'a> {
     pub diagonal: Affine<f64>,
     /// w |grad u| and w |grad v| are at most this on the face and within [`OVERSHOOT`] of it, per pixel.
     uv_gradient: f64,
-    /// The plane's distance from the cuboid's centre.
-    half_height: f64,
     /// The face's middle from the eye, and half its edges.
     middle: DVec3,
     half_edges: [DVec3; 2],
@@ -125,7 +131,6 @@ impl<'a> Face<'a> {
             uvw: Affine::default(),
             diagonal: Affine::default(),
             uv_gradient: 0.0,
-            half_height: half[axis],
             middle: centre + plane.outwards * half[axis],
             half_edges: along.map(|axis| transform.axes.col(axis) * half[axis]),
             corners: FACES[plane.face]
@@ -191,7 +196,7 @@ impl<'a> Face<'a> {
         if length(light_from_eye) < length(light_from_centre) {
             return towards;
         }
-        let above = outwards.dot(light_from_centre) - self.half_height;
+        let above = self.plane.height_of(light_from_centre);
         let lifted = |v: DVec3, w: f64| v - outwards * outwards.dot(v) + outwards * above * w;
         Affine {
             centre: lifted(towards.centre, w.centre),

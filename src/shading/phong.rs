@@ -129,6 +129,9 @@ impl<'a> Phong<'a> {
         for (light, point) in lights.iter_mut().zip(points) {
             let coefficients = surface.coefficients(point);
             light.most = coefficients.map(DVec3::max_element);
+            if surface.plane.is_some() && !surface.is_lit(point, 0.0) {
+                light.most = [0.0; 2];
+            }
             if light.most != [0.0; 2] {
                 let from_eye = point.position - face.rays.lens.eye;
                 light.by_pixel = face.towards(from_eye, point.position - surface.centre);
@@ -207,12 +210,14 @@ impl<'a> Phong<'a> {
         let mut rest = splat(self.tolerance);
         let mut rounding = Rounding::new(&normal, &eye, self.surface.ambient().max_element());
         let (mut left_out, mut has_fourth) = (zero, none);
+        let all_lit = mask64x4::splat(simd, self.surface.plane.is_some());
         self.shines = 0;
         for light in self.lights.iter_mut() {
             let to_light = Field::new(&light.by_pixel, extents);
             let fields = [&normal, &to_light, &eye];
             let cosine_rounding = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::facing(&normal, &to_light, cosine_rounding * U);
+            let [lit, dark] = [lit | all_lit, dark & !all_lit];
             let [mut shines, mut fourth] = [none; 2];
             rounding.add(dark.select(zero, splat(light.most[0])), cosine_rounding);
             let error = bound::cosine_error(&normal, &to_light) * light.most[0];
@@ -293,7 +298,11 @@ impl<'a> Phong<'a> {
                 let e = three!(|axis| n[axis] * twice - l[axis] * inverse - o[axis]);
                 let one_minus_cos = dot(&e, &e) * 0.5;
                 let power = specular::power(self.gloss.shininess, one_minus_cos);
-                let power = cosine.simd_gt(zero).select(power, zero);
+                let power = if self.surface.plane.is_some() {
+                    power
+                } else {
+                    cosine.simd_gt(zero).select(power, zero)
+                };
                 if logarithms != 0 {
                     let exponent = specular::exponent(self.gloss.shininess, one_minus_cos);
                     levels[FOURTH] += exponent * at.within(simd, logarithms, 1.0);

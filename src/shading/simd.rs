@@ -44,6 +44,9 @@ pub type Baseline = fearless_simd::wasm32::WasmSimd128;
 pub type Baseline = fearless_simd::Fallback;
 
 /// The token of [`Baseline`], for code that is not compiled for every level.
+///
+/// # Panics
+/// Never: each machine of an architecture has its baseline.
 pub fn baseline() -> Baseline {
     let level = Level::baseline();
     #[cfg(target_arch = "x86_64")]

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::face::Plane;
 use super::specular;
 use crate::components::{Illumination, Material, PointLight, unit};
 
@@ -14,6 +15,8 @@ pub struct Surface<'a> {
     pub illumination: &'a Illumination,
     /// Its centre, from which offsets are counted, in world units.
     pub centre: DVec3,
+    /// The plane of a face that has the face's own normal all over.
+    pub plane: Option<&'a Plane>,
 }
 
 impl<'a> Surface<'a> {
@@ -23,7 +26,18 @@ impl<'a> Surface<'a> {
             material,
             illumination,
             centre,
+            plane: None,
         }
+    }
+
+    /// Whether the normal and a light enclose less than a right angle, which their cosine n.l says. On a face with the face's own
+    /// normal the height of the light over the face says it, once for all points: where the height is 0, rounding
+    /// would give n.l any sign from point to point.
+    pub fn is_lit(&self, light: &PointLight, cosine: f64) -> bool {
+        let height = self
+            .plane
+            .map(|plane| plane.height_of(light.position - self.centre));
+        height.unwrap_or(cosine) > 0.0
     }
 
     /// The ambient term, in levels.
@@ -69,8 +83,8 @@ impl<'a> Surface<'a> {
             // A light at the very point has no direction: its l is zero, n.l is zero, and it contributes nothing.
             let to_light = to_light(light);
             let cosine = normal.dot(to_light);
-            if cosine > 0.0 {
-                levels += diffuse * cosine;
+            if self.is_lit(light, cosine) {
+                levels += diffuse * cosine.max(0.0);
                 if specular != DVec3::ZERO {
                     let reflected = 2.0 * cosine * normal - to_light;
                     let one_minus_cos = (reflected - to_eye).length_squared() / 2.0;
@@ -115,6 +129,7 @@ mod tests {
             material: &material,
             illumination: &illumination,
             centre: DVec3::splat(5.0),
+            plane: None,
         }
         .levels(DVec3::ZERO, normal, to_eye)
     }

@@ -96,10 +96,10 @@ impl<'a> UnitVectors<'a> {
             let [diffuse, specular] = self.surface.coefficients(light);
             let l = between(to_light);
             let cosine = n.dot(l);
-            if cosine > 0.0 {
+            if self.surface.is_lit(light, cosine) {
                 // Between unit vectors o.r is at most 1; a pixel's centre may lie outside its triangle.
                 let one_minus_cos = (1.0 - o.dot(2.0 * cosine * n - l)).max(0.0);
-                levels += diffuse * cosine
+                levels += diffuse * cosine.max(0.0)
                     + specular * power_exact(self.surface.material.shininess, one_minus_cos);
             }
         }

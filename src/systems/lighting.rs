@@ -16,6 +16,7 @@ use crate::components::{
     Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
 };
 use crate::shading::Surface;
+use crate::shading::face::Plane;
 use crate::systems::frame::{DrawList, Frame};
 
 /// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud or flat shading.
@@ -50,16 +51,16 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             &rays.lens,
             Surface::new(material, illumination, transform.position),
         );
-        let levels = |place: DVec3, normal: DVec3| {
+        let plane_of = |face| Plane::new(face, transform, mesh.corners[7], rays);
+        let levels = |plane: Option<&Plane>, place: DVec3, normal: DVec3| {
             let offset = transform.axes * place;
             let to_eye = match lens.projection {
                 Projection::Perspective => unit(lens.eye - transform.position - offset),
                 Projection::Orthographic => -lens.axes[2],
             };
-            surface.levels(offset, normal, to_eye)
+            Surface { plane, ..surface }.levels(offset, normal, to_eye)
         };
-        let at_corner = |corner: usize, normal| levels(mesh.corners[corner], normal);
-        let seen = || (0..FACES.len()).filter(|face| projected.polygons[*face].len > 0);
+        let seen = || (0..FACES.len()).filter(|face| projected.polygons[*face].meets(view.size));
         let segments = view.segments(*segments);
         let evaluations;
         if mode == ShadingMode::Flat {
@@ -73,23 +74,28 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         } else if segments.count() > 1 {
             let mut indices = [0; 3];
             for face in seen() {
+                let own_plane = matches!(normals, Normals::Face(_)).then(|| plane_of(face));
                 let normals = normals.of_face(face);
                 indices[face / 2] = grids.add(segments, |uv| {
                     let (place, normal) = mesh.on_face(face, &normals, uv);
-                    levels(place, normal)
+                    levels(own_plane.as_ref(), place, normal)
                 });
             }
             *colors = VertexColors::Grid(indices);
             evaluations = seen().count() * segments.points();
         } else if let Normals::Corner(normals) = normals {
-            let levels = from_fn(|corner| at_corner(corner, normals[corner]));
+            let levels = from_fn(|corner| levels(None, mesh.corners[corner], normals[corner]));
             *colors = VertexColors::Corner(levels);
             evaluations = 8;
         } else {
             let mut faces = [[DVec3::ZERO; 4]; 3];
             for face in seen() {
+                let plane = plane_of(face);
                 let (corners, normals) = (FACES[face].map(usize::from), normals.of_face(face));
-                faces[face / 2] = from_fn(|index| at_corner(corners[index], normals[index]));
+                let level = |index: usize| {
+                    levels(Some(&plane), mesh.corners[corners[index]], normals[index])
+                };
+                faces[face / 2] = from_fn(level);
             }
             *colors = VertexColors::Face(faces);
             evaluations = 4 * seen().count();

@@ -17,10 +17,14 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{LightKind, Material, Projection, View};
+use shadetrade::components::{
+    LightKind, Material, NormalMode, Projection, Segments, Transform, TriangleId, View,
+};
 use shadetrade::systems::frame::Keep;
 
-use crate::support::scene::{MODES, at, draw, empty, spawn_cuboid, spawn_light, truth, view};
+use crate::support::scene::{
+    MODES, at, draw, empty, spawn_cuboid, spawn_light, truth, turned, view,
+};
 
 const MATERIAL: Material = Material {
     ambient: DVec3::new(0.1, 0.2, 0.3),
@@ -254,4 +258,53 @@ fn unit_vectors_shorten_n_l_and_o() {
     let share = 2.0_f64.sqrt() / 6.0 * 4.0 / 17.0_f64.sqrt();
     let aside = aside.shaded(UnitVectors);
     assert_share(&mut world, &aside, [5, 5], (Specular, share));
+}
+
+/// The levels of a cube's face z = 1 with its own normal, in red, under a light in the plane of that face. The cube is turned
+/// by these degrees. A highlight of shininess 0 is as bright as its light wherever n.l > 0, and else absent.
+fn lit_from_its_plane(rotation: [f64; 3], view: &View) -> Vec<f32> {
+    let mut world = empty();
+    let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), turned(rotation), MATERIAL);
+    let material = Material {
+        shininess: 0.0,
+        ..MATERIAL
+    };
+    let face_normals = (material, NormalMode::Face);
+    world.insert(cuboid, face_normals).expect("it was spawned");
+    let axes = Transform::axes(&turned(rotation));
+    spawn_light(&mut world, Specular, SENT, axes * DVec3::new(5.0, 0.3, 1.0));
+    let mut view = *view;
+    view.camera.position = axes * DVec3::new(-3.0, 0.7, 6.0);
+    let frame = draw(&mut world, &view, Keep::Levels);
+    let pixels = frame.triangles().iter().zip(frame.levels());
+    let face = pixels.filter(|(id, _)| **id != TriangleId::NONE && id.face() == 4);
+    face.map(|(_, levels)| levels[0]).collect()
+}
+
+#[test]
+fn a_light_in_the_plane_of_a_face_with_its_own_normal_lights_all_of_it_or_nothing() {
+    let ways = MODES.map(|mode| [(mode, 0.0, 1), (mode, 0.5, 1), (mode, 0.5, 8)]);
+    for (mode, tolerance, segments) in ways.into_iter().flatten() {
+        let [mut lit, mut dark] = [0; 2];
+        for degrees in 1..=30 {
+            let angle = f64::from(degrees);
+            let view = View {
+                tolerance,
+                segments: Segments::new(segments),
+                ..view([40, 30], DVec3::ZERO, DVec3::ZERO, Projection::Perspective)
+            };
+            let face = lit_from_its_plane([7.0 * angle, 3.0 * angle, angle], &view.shaded(mode));
+            assert!(face.len() > 100, "{} pixels are seen", face.len());
+            let shining = face.iter().filter(|level| **level > 0.0).count();
+            let what = format!(
+                "{mode:?} {tolerance} {segments} at {degrees}: {shining} of {}",
+                face.len()
+            );
+            assert!(shining == 0 || shining == face.len(), "{what}");
+            lit += usize::from(shining > 0);
+            dark += usize::from(shining == 0);
+        }
+        // Rounding decides for each rotation.
+        assert!(lit > 0 && dark > 0, "{mode:?}: {lit} lit, {dark} dark");
+    }
 }

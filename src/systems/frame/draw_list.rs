@@ -43,6 +43,8 @@ pub(crate) struct Object {
     /// Half its edges, in world units.
     pub half: DVec3,
     pub mode: ShadingMode,
+    /// Whether each face has its own normal, and not those of the corners.
+    pub has_face_normals: bool,
     pub gloss: Gloss,
 }
 

@@ -61,6 +61,7 @@ impl DrawList {
                 transform: *transform,
                 half,
                 mode,
+                has_face_normals: matches!(normals, Normals::Face(_)),
                 gloss,
             });
         }
@@ -77,7 +78,7 @@ impl DrawList {
         projected: &Projected,
     ) {
         for (index, polygon) in projected.polygons.iter().enumerate() {
-            if polygon.len == 0 {
+            if !polygon.meets(size) {
                 continue;
             }
             let start = self.from.len();

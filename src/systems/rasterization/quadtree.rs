@@ -80,7 +80,10 @@ impl DrawList {
     ) -> Shader<'a> {
         let object = &self.objects[piece.object];
         let (material, centre) = (&object.material, object.transform.position);
-        let surface = Surface::new(material, &self.illumination, centre);
+        let surface = Surface {
+            plane: object.has_face_normals.then_some(&piece.plane),
+            ..Surface::new(material, &self.illumination, centre)
+        };
         let (corners, tolerance) = (&piece.corners, self.tolerance);
         let normals = || face.interpolate(corners, 0);
         match object.mode {

@@ -1,10 +1,10 @@
 //! Lighting: the illumination of a frame, and the model at the vertices.
 
-use glam::{DVec3, dvec3};
+use glam::{DMat3, DVec3, dvec3};
 use hecs::World;
 use shadetrade::components::{
-    Illumination, Light, LightKind, Normals, PointLight, Projection, ShadingMode, VertexColors,
-    View,
+    Illumination, Light, LightKind, Mesh, NormalMode, Normals, PointLight, Projection, Segments,
+    ShadingMode, VertexColors, View,
 };
 use shadetrade::systems::frame::Frame;
 use shadetrade::systems::{lighting, projection};
@@ -115,6 +115,36 @@ fn with_face_normals_the_model_is_evaluated_at_the_corners_of_each_visible_face(
     assert!(lower.abs_diff_eq(expected, 1e-12), "{lower}");
     // The other five are not seen.
     assert_eq!(frame.counts().model_evaluations, 4);
+}
+
+#[test]
+fn grids_are_lit_only_for_faces_in_the_picture() {
+    // The picture is 20 units wide and high at the origin, and a cube of two units is seen from the front.
+    for (centre, faces) in [
+        ([0.0, 0.0], 1),
+        ([9.5, -9.5], 1),
+        ([12.0, 0.0], 0),
+        ([-12.0, 0.0], 0),
+        ([0.0, 12.0], 0),
+        ([0.0, -12.0], 0),
+        ([12.0, 12.0], 0),
+    ] {
+        for mode in [NormalMode::Corner, NormalMode::Face] {
+            let mut world = World::new();
+            let transform = at(dvec3(centre[0], centre[1], 0.0));
+            let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), transform, MATERIAL);
+            let normals = Normals::new(mode, &Mesh::cuboid(DVec3::splat(2.0)), DMat3::IDENTITY);
+            let components = (
+                place(transform),
+                normals,
+                Segments::new(4).expect("it is legal"),
+            );
+            world.insert(cuboid, components).expect("it was spawned");
+            let view = ahead(Projection::Orthographic, [8, 8]).shaded(ShadingMode::Gouraud);
+            let evaluations = run(&mut world, &view).counts().model_evaluations;
+            assert_eq!(evaluations, faces * 25, "{mode:?} at {centre:?}");
+        }
+    }
 }
 
 #[test]
