@@ -51,14 +51,21 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             &rays.lens,
             Surface::new(material, illumination, transform.position),
         );
-        let plane_of = |face| Plane::new(face, transform, mesh.corners[7], rays);
-        let levels = |plane: Option<&Plane>, place: DVec3, normal: DVec3| {
+        let own_plane = |face| {
+            matches!(normals, Normals::Face(_))
+                .then(|| Plane::new(face, transform, mesh.corners[7], rays))
+        };
+        let levels = |plane: &Option<Plane>, place: DVec3, normal: DVec3| {
             let offset = transform.axes * place;
             let to_eye = match lens.projection {
                 Projection::Perspective => unit(lens.eye - transform.position - offset),
                 Projection::Orthographic => -lens.axes[2],
             };
-            Surface { plane, ..surface }.levels(offset, normal, to_eye)
+            let surface = Surface {
+                plane: plane.as_ref(),
+                ..surface
+            };
+            surface.levels(offset, normal, to_eye)
         };
         let seen = || (0..FACES.len()).filter(|face| projected.polygons[*face].meets(view.size));
         let segments = view.segments(*segments);
@@ -67,34 +74,32 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             let mut faces = [[DVec3::ZERO; 4]; 3];
             for face in seen() {
                 let (middle, normal) = mesh.on_face(face, &normals.of_face(face), [0.0; 2]);
-                faces[face / 2] = [levels(middle, normal); 4];
+                faces[face / 2] = [levels(&own_plane(face), middle, normal); 4];
             }
             *colors = VertexColors::Face(faces);
             evaluations = seen().count();
         } else if segments.count() > 1 {
             let mut indices = [0; 3];
             for face in seen() {
-                let own_plane = matches!(normals, Normals::Face(_)).then(|| plane_of(face));
-                let normals = normals.of_face(face);
+                let (plane, normals) = (own_plane(face), normals.of_face(face));
                 indices[face / 2] = grids.add(segments, |uv| {
                     let (place, normal) = mesh.on_face(face, &normals, uv);
-                    levels(own_plane.as_ref(), place, normal)
+                    levels(&plane, place, normal)
                 });
             }
             *colors = VertexColors::Grid(indices);
             evaluations = seen().count() * segments.points();
         } else if let Normals::Corner(normals) = normals {
-            let levels = from_fn(|corner| levels(None, mesh.corners[corner], normals[corner]));
+            let levels = from_fn(|corner| levels(&None, mesh.corners[corner], normals[corner]));
             *colors = VertexColors::Corner(levels);
             evaluations = 8;
         } else {
             let mut faces = [[DVec3::ZERO; 4]; 3];
             for face in seen() {
-                let plane = plane_of(face);
+                let plane = own_plane(face);
                 let (corners, normals) = (FACES[face].map(usize::from), normals.of_face(face));
-                let level = |index: usize| {
-                    levels(Some(&plane), mesh.corners[corners[index]], normals[index])
-                };
+                let level =
+                    |index: usize| levels(&plane, mesh.corners[corners[index]], normals[index]);
                 faces[face / 2] = from_fn(level);
             }
             *colors = VertexColors::Face(faces);
