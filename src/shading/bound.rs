@@ -82,9 +82,6 @@ use crate::shading::simd::{three, two};
 const LEAST_COSINE: f64 = 0.25;
 const MAX_EXPONENT_ERROR: f64 = 0.25;
 
-/// asin(x) <= ARC x for x up to [`super::field::MAX_RADIUS`]: pi / 3.
-const ARC: f64 = std::f64::consts::FRAC_PI_3;
-
 /// Bounds on the sizes of the first three derivatives along x or along y.
 pub type Derivatives<S> = [f64x4<S>; 3];
 
@@ -132,7 +129,7 @@ pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> f64x4<S> {
 /// n.l at the middle; whether n.l > 0 all over the square; and whether n.l <= 0 all over it. `rounding` bounds
 /// the error of n.l in f32, so both hold there, too.
 ///
-/// n.l changes by at most the angle that n turns plus the angle that l turns. Each angle is at most asin(radius).
+/// n.l changes by at most the angle that n turns plus the angle that l turns.
 #[inline(always)]
 pub fn facing<S: Simd>(
     normal: &Field<S>,
@@ -140,7 +137,7 @@ pub fn facing<S: Simd>(
     rounding: f64x4<S>,
 ) -> (f64x4<S>, mask64x4<S>, mask64x4<S>) {
     let cosine = dot(&normal.vector.centre, &light.vector.centre);
-    let most = (normal.radius + light.radius) * ARC + rounding;
+    let most = normal.turn + light.turn + rounding;
     let bounded = normal.is_direction_bounded() & light.is_direction_bounded();
     let [lit, dark] = [cosine.simd_gt(most), cosine.simd_lt(-most)];
     (cosine, bounded & lit, bounded & dark)
@@ -170,7 +167,7 @@ pub fn reflection<S: Simd>(
     // |o x r| is the sine of the angle. The root of 1 - s^2 would lose its digits where s is near 1.
     let product = cross(o, &r);
     let sine = dot(&product, &product).sqrt();
-    let turn = (normal.radius * 2.0 + light.radius + eye.radius) * ARC;
+    let turn = normal.turn * 2.0 + light.turn + eye.turn;
     // For t in 0..=pi/2: 1 - t^2 / 2 <= cos(t) <= 1 - t^2 / 2 + t^4 / 24, and t - t^3 / 6 <= sin(t) <= t. So, theta being the
     // angle at the middle,
     //   the largest s   1 if s > 0 and sin(theta) <= t - t^3 / 6: then theta may be less than t

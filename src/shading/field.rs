@@ -72,6 +72,8 @@ pub struct Field<S: Simd> {
     pub vector: Affine<[f64x4<S>; 3]>,
     /// How far it moves from its value at the middle, at most.
     pub radius: f64x4<S>,
+    /// The angle by which its direction turns from that at the middle, at most.
+    pub turn: f64x4<S>,
     /// A lower bound of its length.
     pub shortest: f64x4<S>,
     /// The bounds p and q of [`super::bound`], along x and along y.
@@ -102,18 +104,31 @@ impl<S: Simd> Field<S> {
         // A change perpendicular to the vector at the middle makes it no shorter.
         let shortest = 1.0 - along[0].abs() - along[1].abs();
         let inverse = 1.0 / shortest;
-        // For p: (V + y V_y) x V_x = V x V_x + y V_y x V_x, over the least |V|^2; |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
-        let rates = inlined!(|along: f64x4<S>, length: f64x4<S>| {
-            let product = positive(length * length - along * along).sqrt() + parallelogram;
+        // |V x V_x|: the part of V_x perpendicular to V; |a x b|^2 = |a|^2 |b|^2 - (a.b)^2 (Lagrange).
+        let across = inlined!(|along: f64x4<S>, length: f64x4<S>| {
+            positive(length * length - along * along).sqrt() + length * CROSS_ERROR
+        });
+        let across = [
+            across(along[0], right_length),
+            across(along[1], down_length),
+        ];
+        // For p: (V + y V_y) x V_x = V x V_x + y V_y x V_x, over the least |V|^2.
+        let rates = inlined!(|across: f64x4<S>, length: f64x4<S>| {
             let q = length * inverse;
-            let p = (product + length * CROSS_ERROR) * inverse * inverse;
+            let p = (across + parallelogram) * inverse * inverse;
             [p.min(q), q]
         });
         Field {
             vector: Affine::new(middle, right, down),
             radius,
+            // The tangent of the angle is the part perpendicular to V at the middle over the part along it, and the angle is at
+            // most its tangent. Motion along V itself turns nothing.
+            turn: (across[0] + across[1]) * inverse,
             shortest,
-            rates: [rates(along[0], right_length), rates(along[1], down_length)],
+            rates: [
+                rates(across[0], right_length),
+                rates(across[1], down_length),
+            ],
         }
     }
 

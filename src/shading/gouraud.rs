@@ -3,7 +3,8 @@
 //! The colour is (w C) / w; w C and w are affine in the pixel, and C comes from the corners of the pixel's own triangle
 //! alone. The quotient is interpolated through nine samples where a bound keeps the tolerance, and divided at every pixel
 //! elsewhere; nodes and pixels are evaluated by the same code. A face with several segments is drawn in the same way where a
-//! square lies in one cell of its [`Grid`]. Elsewhere each pixel finds its cell.
+//! square lies in one cell of its [`Grid`], or in several cells whose levels one linear function keeps within the tolerance.
+//! Elsewhere each pixel finds its cell.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};

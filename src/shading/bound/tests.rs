@@ -264,12 +264,6 @@ fn the_power_is_never_below_the_true_one() {
 }
 
 #[test]
-fn the_arc_covers_the_furthest_that_a_bounded_vector_turns() {
-    let turn = MAX_RADIUS.asin();
-    assert!(turn <= MAX_RADIUS * ARC * (1.0 + f64::EPSILON), "{turn}");
-}
-
-#[test]
 fn the_largest_products_of_powers_of_sine_and_cosine_are_known() {
     for shininess in [3.5, 5.0, 76.8, 1e3] {
         let largest = |k: f64, j: i32| {

@@ -123,8 +123,8 @@ fn keep(most: &mut f64, found: f64, bound: f64) {
 }
 
 #[test]
-fn no_derivative_of_a_direction_or_a_half_turn_exceeds_its_bound() {
-    let mut shares = [[0.0_f64; 3]; 2];
+fn no_turn_of_a_direction_and_no_derivative_of_it_or_a_half_turn_exceeds_its_bound() {
+    let (mut shares, mut turned) = ([[0.0_f64; 3]; 2], 0.0);
     let mut random = Random(17);
     for _ in 0..20 * cases(100) {
         let mut vector = vectors(&mut random)[0];
@@ -137,6 +137,8 @@ fn no_derivative_of_a_direction_or_a_half_turn_exceeds_its_bound() {
         for place in places() {
             let moved = vector.at(place[0], place[1]).distance(vector.centre);
             assert!(moved <= field.radius.as_array()[0] * (1.0 + 1e-9));
+            let angle = vector.at(place[0], place[1]).angle_between(vector.centre);
+            keep(&mut turned, angle, field.turn.as_array()[0] + 1e-8);
             for axis in [0, 1] {
                 let direction = unit(&vector, place, axis);
                 // In the plane in which the vector rotates, the half-turn rotates all other vectors equally.
@@ -157,6 +159,7 @@ fn no_derivative_of_a_direction_or_a_half_turn_exceeds_its_bound() {
     println!("largest shares of the bounds on directions and half-turns: {shares:.3?}");
     let is_tight = shares.as_flattened().iter().all(|share| *share > 0.9);
     assert!(is_tight, "too loose to show a mistake: {shares:?}");
+    assert!(turned > 0.9, "{turned} of the bound on the turn");
 }
 
 /// The exponents: values at which factors vanish or change their signs, values between them, and values beyond.
