@@ -8,6 +8,7 @@ mod extremes;
 mod flat;
 mod golden;
 mod layers;
+mod lessons;
 mod probe;
 mod prove;
 mod rasterization;
