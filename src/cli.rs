@@ -123,7 +123,7 @@ Examples:
   shadetrade requires my.toml -o least.toml
 
 A part is required unless the error of leaving it out is proven to be within the tolerance.
-The second table has the fewest cells of a face with which Gouraud keeps the tolerance.")]
+The second table has the fewest segments along an edge with which Gouraud keeps the tolerance.")]
     Requires(RequiresOptions),
     /// Varies a number of the scene, and shows the range in which each method keeps the tolerance
     #[command(after_help = "\

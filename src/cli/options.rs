@@ -46,7 +46,7 @@ pub struct DrawingOptions {
     /// The vertex normals of all cuboids: corner (smooth edges) or face (sharp ones) [default: each as the scene says]
     #[arg(long, value_name = "NORMALS", value_parser = one_of::<NormalMode>(NormalMode::ALL.map(NormalMode::name)))]
     pub normals: Option<NormalMode>,
-    /// The cells along an edge of each face at whose corners Gouraud evaluates the model, 1 to 256 [default: each as the scene says]
+    /// The segments along an edge of each face; Gouraud evaluates the model at the corners of their grid, 1 to 256 [default: each as the scene says]
     #[arg(long, value_name = "N", value_parser = segments, allow_negative_numbers = true)]
     pub segments: Option<Segments>,
     /// The lights that are on: names, `all` or `none` [default: as the scene says]

@@ -119,12 +119,12 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
     }
     for cuboid in facts.segments.value.iter().flatten() {
         let label = ui.label(format!(
-            "{}: Gouraud needs {} cells.",
+            "{}: Gouraud needs {} segments.",
             cuboid.cuboid,
-            cuboid.cells()
+            cuboid.count()
         ));
         label.on_hover_text(
-            "The fewest cells of each face with which Gouraud keeps the tolerance against exact Phong, proven.",
+            "The fewest segments along an edge with which Gouraud keeps the tolerance against exact Phong, proven.",
         );
     }
 }

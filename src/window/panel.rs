@@ -29,12 +29,12 @@ use crate::components::{
 };
 use crate::questions::job::camera_name;
 use crate::scene::key::Key;
-use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence};
+use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence, title};
 
 const SEGMENTS: [&str; 3] = [
     "segments",
     ", .",
-    "Cells along an edge of a face. Gouraud computes light at their corners; Phong does not depend on them.",
+    "Equal parts of each edge of a face. Gouraud computes light at the corners of the grid that they make; Phong does not depend on them.",
 ];
 
 /// The height of the outcome, in points: room for two lines, so that the rows below do not move.
@@ -284,14 +284,20 @@ fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
     ui.add(TextEdit::singleline(&mut words).hint_text("search"));
     let mut chosen = None;
     for (group, scenes) in [
-        ("scenes", &BUILT_IN[..]),
         ("lessons", &LESSONS[..]),
+        ("scenes", &BUILT_IN[..]),
         ("extremes", EXTREMES),
     ] {
         ui.strong(group);
         for (name, text) in scenes {
             let says = first_sentence(text);
-            let lower = format!("{name} {says}").to_lowercase();
+            let is_lesson = group == "lessons";
+            let shown = if is_lesson {
+                title(name)
+            } else {
+                (*name).to_owned()
+            };
+            let lower = format!("{name} {shown} {says}").to_lowercase();
             if words
                 .split_whitespace()
                 .any(|word| !lower.contains(&word.to_lowercase()))
@@ -299,7 +305,7 @@ fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
                 continue;
             }
             let row = ui
-                .selectable_label(open == *name, *name)
+                .selectable_label(open == *name, shown)
                 .on_hover_text(says);
             if row.clicked() {
                 chosen = Some(*name);

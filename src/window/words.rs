@@ -1,7 +1,40 @@
 //! The words of the window, each with its sentence: in the help, and as tooltips where they stand.
 
 /// The words that a beginner needs, in the order of the help.
-pub const WORDS: [(&str, &str); 10] = [
+pub const WORDS: [(&str, &str); 19] = [
+    (
+        "vertex",
+        "A corner: of a cuboid, or of the grid of segments on its faces.",
+    ),
+    (
+        "segment",
+        "One of the equal parts of an edge. More segments give Gouraud more vertices.",
+    ),
+    (
+        "normal",
+        "The direction that a surface faces. The faces at a corner share its normal (smooth edges), or each has its own (sharp edges).",
+    ),
+    (
+        "Gouraud",
+        "Light is computed at the vertices, and its colours are interpolated between them.",
+    ),
+    (
+        "Phong",
+        "Normals are interpolated between the vertices, and light is computed at every pixel.",
+    ),
+    ("ambient", "Light from everywhere: the same on all faces."),
+    (
+        "diffuse",
+        "Light that a surface scatters: the more, the straighter it faces the lamp.",
+    ),
+    (
+        "specular",
+        "Light that a surface mirrors towards the eye: it makes the highlight.",
+    ),
+    (
+        "highlight",
+        "The bright spot where the mirrored lamp is seen. It is the smaller, the larger the shininess.",
+    ),
     (
         "level",
         "The brightness of a colour channel: 0 is dark, 255 is full. Scenes may have levels beyond; they are clamped.",

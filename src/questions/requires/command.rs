@@ -17,8 +17,8 @@ use crate::scene::{Scene, SceneRecord, updated};
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
 
-const LEGEND_OF_SEGMENTS: &str = "cells of a face: the fewest, 1 x 1 to 256 x 256, with which Gouraud keeps the tolerance against \
-    exact Phong, while all other cuboids have exact Phong; largest error: with so many cells, or with 256 x 256, in levels \
+const LEGEND_OF_SEGMENTS: &str = "segments: the fewest along an edge, 1 to 256, with which Gouraud keeps the tolerance against \
+    exact Phong, while all other cuboids have exact Phong; largest error: with so many segments, or with 256, in levels \
     of 255, proven.";
 
 /// Prints the parts and the segments that a picture requires, and writes a reduced scene to `least_scene`.
@@ -67,11 +67,11 @@ fn table_of_segments(rows: &[FewestSegments]) -> String {
     let cells = |row: &FewestSegments| {
         [
             row.cuboid.clone(),
-            row.cells(),
+            row.count(),
             interval(row.largest_error, short),
         ]
     };
-    let head = ["cuboid under Gouraud", "cells of a face", "largest error"];
+    let head = ["cuboid under Gouraud", "segments", "largest error"];
     aligned(&head, rows.iter().map(cells))
 }
 

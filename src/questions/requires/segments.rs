@@ -39,16 +39,16 @@ fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 }
 
 impl FewestSegments {
-    /// The cells of a face in words.
-    pub fn cells(&self) -> String {
-        let cells = self.segments.unwrap_or(*Segments::RANGE.end());
+    /// The number in words.
+    pub fn count(&self) -> String {
+        let count = self.segments.unwrap_or(*Segments::RANGE.end());
         let of = match (self.segments, self.undecided) {
             (Some(_), 0) => "",
             (Some(_), _) => "at most ",
             (None, 0) => "more than ",
             (None, _) => "perhaps more than ",
         };
-        format!("{of}{cells} x {cells}")
+        format!("{of}{count}")
     }
 }
 

@@ -5,7 +5,7 @@
 use super::measurement::Measurement;
 use crate::components::Segments;
 use crate::components::ShadingMode::{Flat, Gouraud, Phong, UnitVectors};
-use crate::output::words::{capital, pace, short};
+use crate::output::words::{capital, counted, pace, short};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
@@ -77,7 +77,7 @@ fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String
 pub fn method_name(method: Method) -> String {
     if let Some(count) = method.segments.map(Segments::count) {
         let own = method_name(Method::of(method.mode, method.tolerance));
-        return format!("{own} with {count} x {count} cells");
+        return format!("{own} with {}", counted(count, "segment"));
     }
     match (method.mode, method.tolerance) {
         (Flat, _) => "flat shading".to_owned(),

@@ -196,7 +196,7 @@ fn numbers_that_intervals_do_not_decide_are_counted() {
         panic!("one cuboid")
     };
     assert_eq!((found.segments, found.undecided), (None, 256), "{found:?}");
-    assert_eq!(found.cells(), "perhaps more than 256 x 256");
+    assert_eq!(found.count(), "perhaps more than 256");
 }
 
 #[test]

@@ -116,7 +116,7 @@ fn the_part_that_matters_most_comes_first() {
     assert!(parts.iter().any(|it| it.name.contains("red")));
     let left_out = parts.iter().filter(|it| it.change.keeps(0.5)).count();
     let segments = window.app.study.facts.segments.current();
-    let cells = segments.expect("an answer")[0].cells();
+    let count = segments.expect("an answer")[0].count();
     let harness = widgets(window.app, [1400, 1000]);
     let places = |name: &str| {
         harness
@@ -133,7 +133,7 @@ fn the_part_that_matters_most_comes_first() {
     assert!(most("light red") > most("depth test"));
     assert!(places("light red") < places("depth test"));
     // A text is a node in a node.
-    let sentence = format!("emerald: Gouraud needs {cells} cells.");
+    let sentence = format!("emerald: Gouraud needs {count} segments.");
     assert_eq!(harness.query_all_by_value(&sentence).count(), 2);
     assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
 }
