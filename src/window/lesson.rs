@@ -80,7 +80,9 @@ impl App {
         ui.horizontal_wrapped(|ui| {
             button(ui, desk, "back", Action::Step(-1));
             button(ui, desk, &next, Action::Step(1));
-            for control in &lesson[step].show {
+            // The curve is drawn on the picture.
+            let controls = lesson[step].show.iter();
+            for control in controls.filter(|it| **it != Control::Row) {
                 ui.separator();
                 show(ui, &mut document.scene.world, choice, desk, *control);
             }
@@ -107,7 +109,9 @@ pub fn heading(ui: &mut Ui, document: &Document, desk: &mut Desk) {
         ui.weak(format!("{} of {}", document.step + 1, lesson.len()));
         let rest = ["everything", "the lesson alone"][usize::from(desk.shows_rest)];
         button(ui, desk, rest, Action::Panel);
-        button(ui, desk, "leave", Action::Close);
+        if !desk.shows_rest {
+            button(ui, desk, "leave", Action::Close);
+        }
     });
     // Room for the longest sentence, so that the picture keeps its size.
     let says = lesson.iter().map(|step| &*step.say);
@@ -209,7 +213,6 @@ fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, contro
                 offer(ui, desk, Action::View(mode), shown == mode);
             }
         }
-        // It is drawn on the picture.
         Control::Row => {}
     }
 }

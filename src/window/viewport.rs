@@ -33,6 +33,8 @@ const DRAG_TURN: f64 = 200.0;
 const LEGEND: Align2 = Align2::LEFT_BOTTOM;
 /// How far beside the divider a press still moves it, in points.
 const REACH: f32 = 10.0;
+/// From the upper end of the divider to its handle, in points.
+const HANDLE: f32 = 24.0;
 /// The divider stays this share of the picture's width away from either edge.
 pub const DIVIDER_MARGIN: f64 = 0.02;
 
@@ -260,8 +262,9 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
     }
     draw_line(ui.painter(), x, line);
     let edge = (1.0, Color32::from_black_alpha(150));
-    ui.painter()
-        .circle(place.center(), 8.0, Color32::WHITE, edge);
+    // What is compared is mostly in the middle.
+    let at = place.center_top() + vec2(0.0, HANDLE);
+    ui.painter().circle(at, 8.0, Color32::WHITE, edge);
     clicked(&handle)
 }
 
