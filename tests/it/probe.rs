@@ -231,7 +231,7 @@ fn on_a_grid_the_vertices_are_those_of_the_pixel_s_cell() {
     .lines();
     let heading = text
         .iter()
-        .skip_while(|line| !line.contains("Gouraud: "))
+        .skip_while(|line| !line.starts_with("Gouraud, exact"))
         .nth(2)
         .expect("a heading");
     let shown: Vec<_> = heading.split_whitespace().collect();

@@ -3,7 +3,8 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{LightKind, NormalMode, Projection, Segments, ShadingMode, View};
-use shadetrade::questions::probe::{self, Probe, ProbedSurface};
+use shadetrade::questions::probe::{self, Probe};
+use shadetrade::reference::LightSample;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::shading::SquareKind::{InF64, Linear, PerPixel, Quadratic};
 use shadetrade::systems::frame::display_step;
@@ -81,198 +82,43 @@ fn the_cost_is_that_of_the_square() {
     }
 }
 
-/// The numbers of a page as they are printed, and the page worked out again from them by the formula of the README.
-struct Page {
-    lines: Vec<String>,
-    /// The next line.
-    at: usize,
-    /// The significant digits, from the width of a column.
-    digits: i32,
+/// The numbers after this label, in the first line below `after` that has so many.
+fn numbers(lines: &[String], after: &str, label: &str) -> DVec3 {
+    let mut lines = lines.iter().skip_while(|line| !line.starts_with(after));
+    let numbers = lines.find_map(|line| {
+        let rest = line.trim_start().strip_prefix(label)?;
+        let words = rest.split_whitespace();
+        let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
+        (rest.starts_with(' ') && numbers.len() == 3).then(|| DVec3::from_slice(&numbers))
+    });
+    numbers.unwrap_or_else(|| panic!("no {label:?} after {after:?}"))
 }
 
-impl Page {
-    fn of(probe: &Probe) -> Self {
-        let lines = probe.lines();
-        let is_weights = |line: &&String| line.starts_with("weights");
-        let width = lines.iter().find(is_weights).expect("weights").len();
-        Page {
-            digits: (width as i32 - 9) / 3 - 6,
-            lines,
-            at: 0,
-        }
-    }
-
-    /// The numbers after this label, at least this many, in the first line below the last that was read.
-    fn numbers(&mut self, label: &str, least: usize) -> Vec<f64> {
-        let numbers = |line: &String| -> Option<Vec<f64>> {
-            let rest = line.trim_start().strip_prefix(label)?;
-            let words = rest.split_whitespace();
-            let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
-            let is_label = rest.is_empty() || rest.starts_with(' ');
-            (is_label && numbers.len() >= least).then_some(numbers)
-        };
-        let mut below = self.lines[self.at..].iter().map(numbers).enumerate();
-        let found = below.find_map(|(place, numbers)| Some((place, numbers?)));
-        let (place, numbers) = found.unwrap_or_else(|| panic!("{label:?} in {:#?}", self.lines));
-        self.at += place + 1;
-        numbers
-    }
-
-    fn after(&mut self, label: &str) -> Vec<f64> {
-        self.numbers(label, 0)
-    }
-
-    fn vector(&mut self, label: &str) -> DVec3 {
-        DVec3::from_slice(&self.numbers(label, 3))
-    }
-
-    /// Half a unit of the last digit of a number of this size.
-    fn half(&self, size: f64) -> f64 {
-        let exponent = size.abs().max(f64::MIN_POSITIVE).log10().floor() as i32;
-        0.501 * 10.0_f64.powi(exponent - self.digits + 1)
-    }
-
-    #[track_caller]
-    fn assert_result(&self, printed: DVec3, worked_out: DVec3) {
-        for (printed, exact) in printed.to_array().into_iter().zip(worked_out.to_array()) {
-            // Rounding errors of a vector are printed as 0.
-            let allowed = self.half(exact).max(1e-12 * worked_out.length());
-            assert!(
-                (printed - exact).abs() <= allowed,
-                "{printed} for {exact}: {:#?}",
-                self.lines
-            );
-        }
-    }
-
-    #[track_caller]
-    fn assert_levels(&self, printed: DVec3, worked_out: DVec3) {
-        let allowed = 0.000_501_f64.max(1e-6 * worked_out.abs().max_element());
-        let error = (printed - worked_out).abs().max_element();
-        assert!(
-            error <= allowed,
-            "{printed} for {worked_out}: {:#?}",
-            self.lines
-        );
-    }
-
-    fn sum(&mut self, terms: &[DVec3]) -> DVec3 {
-        let sum = self.vector("sum");
-        self.assert_levels(sum, terms.iter().sum());
-        let bytes = (sum.clamp(DVec3::ZERO, DVec3::splat(255.0)) + 0.5).floor();
-        assert_eq!(self.vector("bytes"), bytes);
-        sum
-    }
-
-    /// Works everything out again. Returns the sums under Phong and Gouraud.
-    fn check(&mut self, surface: &ProbedSurface) -> [DVec3; 2] {
-        self.after("vertices: P and N of each");
-        let vertices = self.at;
-        let corners: Vec<[DVec3; 2]> = (0..3)
-            .map(|corner| {
-                ["P", "N"].map(|name| {
-                    let line = &self.lines[vertices + 2 * corner + usize::from(name == "N")];
-                    let (_, numbers) = line.split_once(name).expect("a label");
-                    let numbers = numbers
-                        .split_whitespace()
-                        .map(|it| it.parse().expect("a number"));
-                    DVec3::from_slice(&numbers.collect::<Vec<_>>())
-                })
-            })
-            .collect();
-        let weights = self.vector("weights").to_array();
-        let blend = |of: usize| {
-            (0..3)
-                .map(|it| corners[it][of] * weights[it])
-                .sum::<DVec3>()
-        };
-        let point = self.vector("P");
-        self.assert_result(point, blend(0));
-        let n = self.vector("n");
-        self.assert_result(n, blend(1).normalize());
-        if surface.eye.is_some() {
-            let eye = self.vector("O");
-            let start = self.at;
-            let o = self.vector("o");
-            self.assert_result(o, (eye - point).normalize());
-            self.at = start;
-        }
-        let o = self.vector("o");
-        let (mut strengths, mut terms) = (Vec::new(), Vec::new());
-        for light in surface.lights() {
-            self.after(&format!("{}: {}", light.name, light.kind.name()));
-            let mut factor = 1.0;
-            if light.kind != LightKind::Ambient {
-                let away = self.vector("L") - point;
-                let l = self.vector("l");
-                self.assert_result(l, away.normalize());
-                let one = |value: f64| DVec3::splat(value);
-                let cosine = self.after("n.l =")[0];
-                self.assert_result(one(cosine), one(n.dot(l)));
-                factor = cosine.max(0.0);
-                if light.kind == LightKind::Specular && cosine > 0.0 {
-                    let r = self.vector("r");
-                    self.assert_result(r, 2.0 * cosine * n - l);
-                    let cosine = self.after("o.r =")[0];
-                    self.assert_result(one(cosine), one(o.dot(r)));
-                    let shininess = surface.material.shininess;
-                    factor = self.after(&format!("(o.r)^{shininess} ="))[0];
-                    self.assert_result(one(factor), one(cosine.max(0.0).powf(shininess)));
-                }
-            }
-            let [mut strength, mut term] = [DVec3::ZERO; 2];
-            for (channel, name) in ["red", "green", "blue"].into_iter().enumerate() {
-                let [a, b, c, d, product] = self.after(name)[..] else {
-                    panic!("{:#?}", self.lines);
-                };
-                strength[channel] = product;
-                term[channel] = product;
-                self.assert_levels(DVec3::splat(product), DVec3::splat(a * b * c * d));
-                if light.kind != LightKind::Ambient {
-                    let [by, product] = self.after("x")[..] else {
-                        panic!("{:#?}", self.lines);
-                    };
-                    assert_eq!(by, factor);
-                    term[channel] = product;
-                    self.assert_levels(DVec3::splat(product), DVec3::splat(strength[channel] * by));
-                }
-            }
-            strengths.push(strength);
-            terms.push(term);
-        }
-        self.after("Phong");
-        for (light, term) in surface.lights().iter().zip(&terms) {
-            assert_eq!(self.vector(&light.name), *term);
-        }
-        let phong = self.sum(&terms);
-        self.after("Gouraud: each factor at the vertices,");
-        let mut factors = Vec::new();
-        for light in surface.lights() {
-            let at_vertices = self.vector(&light.name);
-            factors.push(self.after("factor =")[0]);
-            let sum = at_vertices.dot(weights.into());
-            self.assert_result(DVec3::splat(factors[factors.len() - 1]), DVec3::splat(sum));
-        }
-        terms.clear();
-        for (index, light) in surface.lights().iter().enumerate() {
-            let term = self.vector(&light.name);
-            self.assert_levels(term, strengths[index] * factors[index]);
-            terms.push(term);
-        }
-        [phong, self.sum(&terms)]
-    }
+/// Whether a printed level is this one, rounded once: to three decimals, or to six digits below 1.
+fn is_rounded(printed: DVec3, level: DVec3) -> bool {
+    let error = (printed - level).abs() / level.abs().min(DVec3::ONE).max(DVec3::splat(1e-300));
+    let allowed = DVec3::splat(0.000_501);
+    let small = level.abs().cmplt(DVec3::ONE);
+    error
+        .cmple(DVec3::select(small, DVec3::splat(5.01e-6), allowed))
+        .all()
 }
 
+/// As an exam gives intensities, from 0 to 1, and as levels.
 #[test]
-fn every_result_of_a_page_follows_from_its_numbers_and_is_exact() {
+fn every_number_of_a_page_is_exact_whatever_its_size() {
     let mut random = fastrand::Rng::with_seed(5);
     let (mut pixels, mut lit) = (0, 0);
-    while pixels < 200 {
+    while pixels < 240 {
         let (name, text) = BUILT_IN[random.usize(..BUILT_IN.len())];
         let mut record = SceneRecord::of(&Scene::parse(name, text).expect("it is built in").world);
         for cuboid in &mut record.cuboid {
             cuboid.normals = [NormalMode::Corner, NormalMode::Face][random.usize(..2)];
             cuboid.segments = Segments::new([1, 1, 5][random.usize(..3)]).expect("a number");
+        }
+        let unit = [1.0, 1.0 / 255.0][random.usize(..2)];
+        for light in &mut record.light {
+            light.gain *= unit;
         }
         let mut scene = Scene::spawn(name.to_owned(), &record);
         let view = View {
@@ -281,28 +127,66 @@ fn every_result_of_a_page_follows_from_its_numbers_and_is_exact() {
         };
         let pixel = [random.usize(..320), random.usize(..240)];
         let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
-        let Some((surface, sample)) =
-            (probe.surface.as_ref()).and_then(|surface| Some((surface, surface.sample.as_ref()?)))
-        else {
+        let Some(surface) = &probe.surface else {
             continue;
         };
-        let sums = Page::of(&probe).check(surface);
-        for (sum, exact) in sums.into_iter().zip([sample.phong, sample.gouraud]) {
-            let error = (sum - exact).abs() / exact.abs().max(DVec3::ONE);
-            assert!(
-                error.max_element() < 1e-3,
-                "{sum} for {exact}: {pixel:?} of {name}"
-            );
+        let Some(sample) = &surface.sample else {
+            continue;
+        };
+        let lines = probe.lines();
+        let point = numbers(&lines, "P = ", "P");
+        assert!((point - sample.position).length() <= 1e-8 * sample.position.length());
+        for (mode, sum, of) in [
+            (
+                "Phong, exact",
+                sample.phong,
+                (|it| it.phong) as fn(&LightSample) -> DVec3,
+            ),
+            ("Gouraud, exact", sample.gouraud, |it| it.gouraud),
+        ] {
+            let printed = numbers(&lines, mode, "sum");
+            assert!(is_rounded(printed, sum), "{printed} for {sum}: {lines:#?}");
+            let bytes = sum.to_array().map(|level| f64::from(display_step(level)));
+            assert_eq!(numbers(&lines, mode, "bytes"), DVec3::from(bytes));
+            for light in &sample.lights {
+                let rows = lines.iter().skip_while(|line| !line.starts_with(mode));
+                let rows: Vec<String> = rows
+                    .skip_while(|line| !line.contains("blue"))
+                    .cloned()
+                    .collect();
+                let printed = numbers(&rows, "", &light.name);
+                assert!(is_rounded(printed, of(light)), "{printed} for {light:?}");
+            }
         }
         pixels += 1;
-        let lights = sample.lights.iter();
-        lit += usize::from(
-            lights
-                .clone()
-                .any(|it| it.kind == LightKind::Specular && it.factor > 0.01),
-        );
+        let mut lights = sample.lights.iter();
+        lit += usize::from(lights.any(|it| it.kind == LightKind::Specular && it.factor > 0.01));
     }
     assert!(lit >= 3, "{lit} pixels of highlights");
+}
+
+/// The middle of the highlight has more than 255 levels of red.
+#[test]
+fn a_page_says_which_levels_are_clamped_and_which_are_drawn() {
+    for (strength, is_clamped) in [(0.1, false), (1.0, true)] {
+        let surface = surface_of(ShadingMode::Phong, [565, 327], |record| {
+            record
+                .light
+                .iter_mut()
+                .for_each(|light| light.intensity *= strength);
+        });
+        let limit = surface.tolerance;
+        let probe = Probe {
+            pixel: [565, 327],
+            surface: Some(surface),
+        };
+        let page = probe.lines().join("\n");
+        assert_eq!(page.contains("clamped"), is_clamped, "{page}");
+        assert!(
+            page.contains(&format!("renderer draws it, within {limit}")),
+            "{page}"
+        );
+    }
 }
 
 #[test]
