@@ -113,8 +113,10 @@ Levels are unclamped. The rows `drawn` and `bytes` come from the renderer, all e
 Examples:
   shadetrade prove bench-close --shading phong --tolerance 0.1 -o proof.png
   shadetrade prove --shading phong --picture other.png -o judged.png
+  shadetrade prove my.toml --picture class/1.png class/2.png
 
-Encloses the exact levels of every pixel by interval arithmetic. Exit status 1 if one is not proven.")]
+Encloses the exact levels of every pixel by interval arithmetic. Exit status 1 if one is not proven.
+Of a wrong picture the cause is named where it is proven. Several pictures have a line each.")]
     Prove(ProveOptions),
     /// Shows which parts of the shading model a scene requires, with the proven error of leaving each out
     #[command(after_help = "\

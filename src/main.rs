@@ -51,8 +51,12 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
         Command::Prove(options) => {
             let map = options.output.as_ref();
             let mut drawing = options.drawing.open(map)?;
-            let picture = options.read_picture()?;
-            prove::command::run(&mut drawing, picture, map, options.json)
+            if let Some(pictures) = options.pictures()? {
+                prove::command::run_all(&mut drawing, pictures, options.json)
+            } else {
+                let picture = options.read_picture()?;
+                prove::command::run(&mut drawing, picture, map, options.json)
+            }
         }
         Command::Requires(options) => {
             let least = options.output.as_ref();

@@ -205,9 +205,9 @@ pub struct ProveOptions {
     /// The scene and the view.
     #[command(flatten)]
     pub drawing: DrawingOptions,
-    /// Judges a picture of the scene by any program: a PNG with 8 bits per channel, whose size replaces --size; `-` for standard input
-    #[arg(long, value_name = "FILE.png", conflicts_with = "size")]
-    pub picture: Option<PathBuf>,
+    /// Judges pictures of the scene by any program: PNG files with 8 bits per channel, whose size replaces --size; `-` for standard input
+    #[arg(long, value_name = "FILE.png", num_args = 1.., conflicts_with = "size")]
+    pub picture: Vec<PathBuf>,
     /// The PNG file of the verdicts: proven pixels dim, and blue at outlines, undecided ones yellow, gaps violet, refuted ones red
     #[arg(short, long, value_name = "FILE", value_parser = file(&["png"]))]
     pub output: Option<Output>,
@@ -220,13 +220,28 @@ impl ProveOptions {
     /// The picture to judge, if one is given.
     ///
     /// # Errors
-    /// [`Failure::Usage`] if it is no such PNG, or the map would replace it.
+    /// [`Failure::Usage`] if it is no such PNG, the map would replace it, or there are several.
     pub fn read_picture(&self) -> Result<Option<PngPicture>, Failure> {
-        let Some(path) = &self.picture else {
+        let [path] = &self.picture[..] else {
             return Ok(None);
         };
         options::refuse_to_replace(path, self.output.as_ref())?;
         read_png(path).map(Some).map_err(Failure::Usage)
+    }
+
+    /// The pictures of a table, if several are given.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] if there is a map, which shows one picture.
+    pub fn pictures(&self) -> Result<Option<&[PathBuf]>, Failure> {
+        if self.picture.len() < 2 {
+            return Ok(None);
+        }
+        if self.output.is_some() {
+            let error = anyhow!("-o shows one picture; --picture has {}", self.picture.len());
+            return Err(Failure::Usage(error));
+        }
+        Ok(Some(&self.picture))
     }
 }
 

@@ -13,6 +13,7 @@
 //! centre, as at a joint of touching faces. Each byte must be the display step of a level within the limit. A PNG
 //! does not say which face a pixel shows: each one that the pixel may show is tried. Differences are rounded outwards.
 
+mod cause;
 pub mod command;
 mod png;
 
@@ -31,6 +32,7 @@ use crate::reference::{Interval, Real, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers, display_step};
+pub use cause::causes;
 pub use png::{PngPicture, read as read_png};
 
 /// How far a level may be from its byte, in levels.
@@ -127,6 +129,11 @@ pub struct Proof {
     pub outline: u64,
     /// Pixels that show a cuboid.
     pub covered: u64,
+    /// Pixels that may show nothing but a cuboid, and those of them that are proven.
+    #[serde(skip)]
+    pub own: u64,
+    #[serde(skip)]
+    pub own_proven: u64,
     /// The largest possible error of a proven pixel.
     pub worst: f64,
     pub widest_enclosure: f64,
@@ -239,11 +246,24 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 
 }
 
 impl Proof {
+    /// Counts the marks.
+    fn count(&mut self) {
+        let count = |is: fn(&&Mark) -> bool| self.marks.iter().filter(is).count() as u64;
+        self.proven = count(|mark| mark.verdict == Verdict::Proven);
+        self.undecided = count(|mark| mark.verdict == Verdict::Undecided);
+        self.gaps = count(|mark| mark.verdict == Verdict::Gap);
+        self.refuted = count(|mark| mark.verdict == Verdict::Refuted);
+        self.outline = count(|mark| mark.is_outline);
+        self.covered = count(|mark| mark.is_covered);
+    }
+
     /// Adds the proof of the rows below.
     fn append(&mut self, below: Proof) {
         self.worst = self.worst.max(below.worst);
         self.widest_enclosure = self.widest_enclosure.max(below.widest_enclosure);
         self.reference_error = self.reference_error.max(below.reference_error);
+        self.own += below.own;
+        self.own_proven += below.own_proven;
         self.examples.extend(below.examples);
         self.examples.sort_by(|one, other| {
             let by_verdict = other.verdict.cmp(&one.verdict);
@@ -259,6 +279,10 @@ impl Proof {
         let enclosures = visible(seen).flat_map(|seen| ends(seen.levels));
         let widths = enclosures.map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
+        if visible(seen).all(|seen| seen.face().is_some()) {
+            self.own += 1;
+            self.own_proven += u64::from(mark.verdict == Verdict::Proven);
+        }
         if mark.verdict == Verdict::Proven {
             self.worst = self.worst.max(error[1]);
         } else {
@@ -365,15 +389,7 @@ pub async fn prove_at<const COUNT: usize>(
             }
         }
     }
-    for proof in &mut proofs {
-        let count = |is: fn(&&Mark) -> bool| proof.marks.iter().filter(is).count() as u64;
-        proof.proven = count(|mark| mark.verdict == Verdict::Proven);
-        proof.undecided = count(|mark| mark.verdict == Verdict::Undecided);
-        proof.gaps = count(|mark| mark.verdict == Verdict::Gap);
-        proof.refuted = count(|mark| mark.verdict == Verdict::Refuted);
-        proof.outline = count(|mark| mark.is_outline);
-        proof.covered = count(|mark| mark.is_covered);
-    }
+    proofs.iter_mut().for_each(Proof::count);
     Ok(proofs)
 }
 

@@ -58,6 +58,7 @@ impl Part {
         match self {
             Part::Light(_) => "Without it this light is off.",
             Part::Rule(Rule::SpecularGate) => "Without it highlights are seen where n.l <= 0, too.",
+            Part::Rule(Rule::DiffuseClamp) => "Without it a light behind a face takes light away.",
             Part::Rule(Rule::UnitNormal) => "Without it interpolated normals are shorter than 1.",
             Part::Rule(Rule::PerspectiveCorrect) => {
                 "Without it all is interpolated linearly on the screen."
@@ -95,24 +96,21 @@ type RowSurfaces = Box<dyn Fn(usize) -> Vec<Vec<FaceLevels>> + Sync>;
 /// The parts of the model that a scene uses, with their names, in the order of the report.
 pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     let scene = SceneRecord::of(&scene.world);
-    let rule = |rule, name: &str| (Part::Rule(rule), name.to_owned());
+    let rule = |rule: Rule| (Part::Rule(rule), rule.name().to_owned());
     let lights = scene.light.iter().enumerate().filter(|(_, it)| it.on);
     let cuboids = || scene.cuboid.iter().enumerate();
     let phong = cuboids().filter(|(_, it)| it.shading == ShadingMode::Phong);
     let mut parts = Vec::new();
     parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", it.name))));
-    parts.push(rule(Rule::SpecularGate, "specular gate"));
+    parts.extend([Rule::SpecularGate, Rule::DiffuseClamp].map(rule));
     let smooth = || cuboids().filter(|(_, it)| it.normals == NormalMode::Corner);
     if smooth().next().is_some() {
-        parts.push(rule(Rule::UnitNormal, "unit normal"));
+        parts.push(rule(Rule::UnitNormal));
     }
     let name = |name: &str| format!("corner normals {name}");
     parts.extend(smooth().map(|(i, it)| (Part::CornerNormals(i), name(&it.name))));
     parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", it.name))));
-    let name = "perspective-correct interpolation";
-    parts.push(rule(Rule::PerspectiveCorrect, name));
-    parts.push(rule(Rule::DepthTest, "depth test"));
-    parts.push(rule(Rule::NearPlane, "near plane"));
+    parts.extend([Rule::PerspectiveCorrect, Rule::DepthTest, Rule::NearPlane].map(rule));
     parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", it.name))));
     parts.push((Part::F64, "f64 set-up".to_owned()));
     parts

@@ -178,6 +178,7 @@ impl<R: Real> ReferenceSurface<R> {
         };
         match kind {
             LightKind::Ambient => one,
+            LightKind::Diffuse if self.without == Some(Rule::DiffuseClamp) => normal.dot(to_light),
             LightKind::Diffuse => normal.dot(to_light).max(zero),
             LightKind::Specular => match normal.dot(to_light).gate(if_tied) {
                 _ if self.without == Some(Rule::SpecularGate) => power(),

@@ -112,13 +112,19 @@ impl<R: Real> Reference<R> {
                 let bounds = enclosed.bounds(transform, mesh);
                 let solid = CuboidGeometry::new(&sight, transform, mesh, bounds);
                 let places = (sight.eye, transform.position);
+                let mode = view.mode(*mode);
+                // The vectors of the shortcut are as short.
+                let without = match mode {
+                    ShadingMode::UnitVectors => Some(Rule::UnitNormal),
+                    _ => without,
+                };
                 ReferenceCuboid {
                     number: order.0 as usize,
                     surface: ReferenceSurface::new(
                         &solid, material, *normals, &lights, places, without,
                     ),
                     solid,
-                    mode: view.mode(*mode),
+                    mode,
                     segments: view.segments(*segments).count(),
                 }
             },

@@ -6,6 +6,8 @@ pub enum Rule {
     /// A highlight exists only where n.l > 0. Without the rule its factor is max(0, o.r)^rho everywhere, so a light
     /// behind a face may cause a highlight on it.
     SpecularGate,
+    /// The diffuse factor is max(0, n.l). Without the rule it is n.l, so a light behind a face takes light away.
+    DiffuseClamp,
     /// Phong's n is normalised after interpolation. Without the rule n is the affine combination of the unit normals of
     /// the corners, which is shorter than 1 inside a face, and r = 2 (n.l) n - l is no unit vector either. Gouraud is
     /// not affected, because it does not interpolate n; nor are face normals, which are the same all over a face.
@@ -19,4 +21,27 @@ pub enum Rule {
     /// Surfaces nearer than the near plane are invisible. Without the rule everything in front of the eye is visible; in
     /// orthographic projection everything along the line of sight, in both directions.
     NearPlane,
+}
+
+impl Rule {
+    pub const ALL: [Rule; 6] = [
+        Rule::SpecularGate,
+        Rule::DiffuseClamp,
+        Rule::UnitNormal,
+        Rule::PerspectiveCorrect,
+        Rule::DepthTest,
+        Rule::NearPlane,
+    ];
+
+    /// The name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Rule::SpecularGate => "specular gate",
+            Rule::DiffuseClamp => "diffuse clamp",
+            Rule::UnitNormal => "unit normal",
+            Rule::PerspectiveCorrect => "perspective-correct interpolation",
+            Rule::DepthTest => "depth test",
+            Rule::NearPlane => "near plane",
+        }
+    }
 }

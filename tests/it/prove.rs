@@ -1,6 +1,7 @@
 //! Proofs: right pictures are proven, wrong ones refuted, and the enclosures hold the exact values.
 
 mod arithmetic;
+mod cause;
 mod gaps;
 mod judge;
 mod known;

@@ -3,11 +3,12 @@
 use std::io::{self, Cursor};
 use std::path::Path;
 
-use anyhow::{Context, anyhow, ensure};
-use png::{BitDepth, ColorType, Decoder, Info, Limits, Transformations};
+use anyhow::{Context, anyhow, bail, ensure};
+use image::codecs::png::PngDecoder;
+use image::error::LimitErrorKind::DimensionError;
+use image::{ImageDecoder, ImageError, Limits};
 
-use crate::output::memory;
-use crate::output::one_line;
+use crate::output::{memory, one_line};
 use crate::scene::{self, MAX_SIDE};
 
 /// The pixels of a picture, 0x00RRGGBB row by row from the top, and its width and height.
@@ -16,7 +17,12 @@ pub type PngPicture = (Vec<u32>, [usize; 2]);
 /// In MiB: room for the largest picture without compression.
 const LARGEST: u64 = 1100;
 
+/// Bytes for the texts and the colour profile of a file. They change no pixel, and could unpack to any size.
+const TEXTS: u64 = 4 << 20;
+
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+/// The name of the last chunk and its checksum.
+const END: &[u8] = b"IEND\xae\x42\x60\x82";
 
 /// Reads a PNG with 8 bits a channel from a file or a pipe; `-` is standard input. A grey one has three equal channels.
 ///
@@ -32,62 +38,40 @@ pub fn read(path: &Path) -> anyhow::Result<PngPicture> {
     let bytes = bytes.with_context(|| format!("cannot read {name}"))?;
     ensure!(bytes.starts_with(SIGNATURE), "{name} is not a PNG file");
     let damaged = || anyhow!("{name} is damaged");
-    // The file is in memory, and the size of its pixels is checked below.
-    let limits = Limits { bytes: usize::MAX };
-    let mut decoder = Decoder::new_with_limits(Cursor::new(bytes), limits);
-    // They change no pixel, and could unpack to any size.
-    decoder.set_ignore_iccp_chunk(true);
-    decoder.set_ignore_text_chunk(true);
-    let header = decoder.read_header_info().map_err(|_| damaged())?;
-    let (width, height) = header.size();
-    let size = [width, height].map(|side| side as usize);
+    // The decoder does not look for it. Some programs append to it.
+    let mut ends = bytes.windows(END.len()).rev();
+    ensure!(ends.any(|end| end == END), damaged());
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(TEXTS);
+    limits.max_image_width = Some(MAX_SIDE as u32);
+    limits.max_image_height = limits.max_image_width;
+    let decoder = match PngDecoder::with_limits(Cursor::new(&bytes), limits) {
+        Ok(decoder) => decoder,
+        Err(ImageError::Limits(error)) if error.kind() == DimensionError => {
+            bail!(
+                "{name} has more than {MAX_SIDE}x{MAX_SIDE} pixels, which are the most that are judged"
+            )
+        }
+        Err(_) => return Err(damaged()),
+    };
+    let color = decoder.color_type();
     ensure!(
-        size.iter().all(|side| (1..=MAX_SIDE).contains(side)),
-        "{name} has {width}x{height} pixels; at most {MAX_SIDE}x{MAX_SIDE} are judged"
-    );
-    ensure!(
-        header.bit_depth != BitDepth::Sixteen,
+        color.bytes_per_pixel() == color.channel_count(),
         "{name} has 16 bits a channel; 8 are judged"
     );
-    // The decoder takes an entry that is missing in a palette for black.
-    let transformations = match header.color_type {
-        ColorType::Indexed => Transformations::IDENTITY,
-        _ => Transformations::EXPAND,
-    };
-    decoder.set_transformations(transformations);
+    let (width, height) = decoder.dimensions();
+    let size = [width, height].map(|side| side as usize);
     // At most four bytes of the file and four of the result.
     memory::check(size, 8 * size[0] * size[1])?;
     let mut pixels = memory::reserve_pixels(size)?;
-    let mut reader = decoder.read_info().map_err(|_| damaged())?;
-    let palette = palette(reader.info());
-    let mut samples = vec![0; reader.output_buffer_size().ok_or_else(damaged)?];
-    let frame = reader.next_frame(&mut samples).map_err(|_| damaged())?;
-    let (channels, depth) = (frame.color_type.samples(), frame.bit_depth as usize);
-    for row in samples.chunks_exact(frame.line_size) {
-        for x in 0..size[0] {
-            let pixel = if palette.is_empty() {
-                rgba(&row[channels * x..][..channels])
-            } else {
-                // The leftmost index is in the highest bits.
-                let shift = 8 - depth - x * depth % 8;
-                let index = row[x * depth / 8] >> shift & (u8::MAX >> (8 - depth));
-                *palette.get(usize::from(index)).ok_or_else(damaged)?
-            };
-            let [red, green, blue, alpha] = pixel;
-            ensure!(alpha == 255, "{name} has transparent pixels");
-            pixels.push(u32::from_be_bytes([0, red, green, blue]));
-        }
+    let mut samples = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut samples).map_err(|_| damaged())?;
+    let channels = usize::from(color.channel_count());
+    for [red, green, blue, alpha] in samples.chunks_exact(channels).map(rgba) {
+        ensure!(alpha == 255, "{name} has transparent pixels");
+        pixels.push(u32::from_be_bytes([0, red, green, blue]));
     }
     Ok((pixels, size))
-}
-
-/// The colours of the palette; none if there is no palette.
-fn palette(info: &Info) -> Vec<[u8; 4]> {
-    let colors = info.palette.as_deref().unwrap_or_default();
-    let alphas = info.trns.as_deref().unwrap_or_default().iter().copied();
-    let colors = colors.chunks_exact(3).zip(alphas.chain([255; 256]));
-    let colors = colors.map(|(color, alpha)| [color[0], color[1], color[2], alpha]);
-    colors.collect()
 }
 
 /// Red, green, blue and alpha of a pixel with one to four channels.

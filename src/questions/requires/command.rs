@@ -10,7 +10,7 @@ use crate::components::View;
 use crate::output::progress::with_bar;
 use crate::output::tables::{aligned, wrapped};
 use crate::output::words::{interval, short};
-use crate::output::{Output, print, say};
+use crate::output::{Output, one_line, print, say};
 use crate::questions::job::Drawing;
 use crate::scene::{Scene, SceneRecord, updated};
 
@@ -52,7 +52,7 @@ pub fn run(drawing: &Drawing, least_scene: Option<&Output>, as_json: bool) -> an
 fn table(rows: &[PartChange]) -> String {
     let cells = |row: &PartChange| {
         [
-            row.name.clone(),
+            one_line(&row.name),
             interval(row.change.largest_error, short),
             row.change.pixels.to_string(),
             if row.required { "yes" } else { "no" }.to_owned(),
@@ -66,7 +66,7 @@ fn table(rows: &[PartChange]) -> String {
 fn table_of_segments(rows: &[FewestSegments]) -> String {
     let cells = |row: &FewestSegments| {
         [
-            row.cuboid.clone(),
+            one_line(&row.cuboid),
             row.count(),
             interval(row.largest_error, short),
         ]

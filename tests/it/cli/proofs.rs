@@ -193,6 +193,66 @@ fn what_render_writes_is_proven() {
 }
 
 #[test]
+fn several_pictures_have_a_line_each_with_what_is_wrong() {
+    let folder = folder();
+    let folder = folder.path();
+    for (name, options) in [
+        ("right.png", "--shading phong"),
+        ("vertices.png", "--shading gouraud"),
+        (
+            "bright.png",
+            "--shading phong --set light.ambient.intensity=120",
+        ),
+    ] {
+        assert_works(folder, &format!("render {options} --size 96x72 -o {name}"));
+    }
+    put(folder, "no\u{1b}.png", "text");
+    let pictures = "right.png vertices.png bright.png no\u{1b}.png";
+    let line = format!("prove --shading phong --picture {pictures}");
+    let (status, records) = json(folder, &format!("{line} --json"));
+    assert_eq!(status, Some(1));
+    let records = records.as_array().expect("an array");
+    let names = records
+        .iter()
+        .map(|it| it["picture"].as_str().expect("a name"));
+    assert_eq!(
+        names.collect::<Vec<_>>().join(" "),
+        pictures.replace('\u{1b}', "\\u{1b}")
+    );
+    let causes: Vec<usize> = (records.iter())
+        .map(|it| it["causes"].as_array().map_or(9, Vec::len))
+        .collect();
+    assert_eq!(causes, [0, 1, 0, 9]);
+    assert!(
+        records[3]["error"]
+            .as_str()
+            .is_some_and(|it| it.contains("not a PNG"))
+    );
+    let output = run(folder, &line);
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    for (row, words) in [
+        ("right.png ", "100.0 %"),
+        ("vertices.png ", "the picture of gouraud"),
+        ("bright.png ", " -"),
+        ("no\\u{1b}.png ", "not a PNG"),
+    ] {
+        let row = table.lines().find(|line| line.starts_with(row));
+        assert!(row.is_some_and(|it| it.contains(words)), "{words}: {table}");
+    }
+    assert!(said(&output).contains("3 of 4 pictures"));
+    let proven = run(
+        folder,
+        "prove --shading phong --picture right.png right.png",
+    );
+    assert_eq!(proven.status.code(), Some(0));
+    // Of one picture the worst pixel comes first.
+    let one = run(folder, "prove --shading phong --picture vertices.png");
+    let text = String::from_utf8_lossy(&one.stdout).into_owned();
+    let lines = ["\nworst ", "\nright ", "\ncause ", "\nproven "].map(|it| text.find(it));
+    assert!(lines[0].is_some() && lines.is_sorted(), "{text}");
+}
+
+#[test]
 fn an_extreme_is_proven_and_drawn_by_its_name() {
     let folder = folder();
     let (status, outcomes) = json(folder.path(), "extremes picture-1x1 extremes/speck --json");

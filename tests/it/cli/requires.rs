@@ -18,6 +18,7 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
         "light white",
         "light ambient",
         "specular gate",
+        "diffuse clamp",
         "unit normal",
         "corner normals emerald",
         "every pixel emerald",

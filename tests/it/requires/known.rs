@@ -149,6 +149,18 @@ fn with_a_shininess_of_zero_only_the_gate_ends_a_highlight() {
     assert_eq!(gate.pixels, face.pixels, "every pixel of the face");
 }
 
+/// The lamp is behind the face. In its middle n.l is -1, so without the clamp 100 of its 150 levels are taken away.
+#[test]
+fn without_the_clamp_a_lamp_behind_a_face_takes_light_away() {
+    let view = from_z(8.0, Perspective);
+    let behind = DVec3::Z * -10.0;
+    let lights = [(Ambient, 150.0, DVec3::ZERO), (Diffuse, 100.0, behind)];
+    let scene = cubes(&[origin()], &lights, &view);
+    assert_error(change(&scene, &view, Part::Rule(Rule::DiffuseClamp)), 100.0);
+    let before = cubes(&[origin()], &[(Diffuse, 100.0, DVec3::Z * 1e9)], &view);
+    assert_error(change(&before, &view, Part::Rule(Rule::DiffuseClamp)), 0.0);
+}
+
 #[test]
 fn without_normalisation_normals_are_shorter_by_sqrt_3_in_the_middle_of_a_face() {
     let view = from_z(8.0, Perspective);
