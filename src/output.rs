@@ -19,7 +19,6 @@ use anyhow::Context;
 use serde::Serialize;
 
 pub use self::progress::{CANCELLED, Monitor, finished};
-use crate::output::files::descriptor;
 pub use crate::output::files::one_line;
 pub use png::encode_png;
 
@@ -33,9 +32,9 @@ pub enum Output {
 }
 
 impl From<OsString> for Output {
-    /// `-` and the system's names are standard output, everything else is a path.
+    /// `-` and `/dev/stdout` are standard output, everything else is a path.
     fn from(path: OsString) -> Self {
-        if path == "-" || descriptor(path.as_ref()) == Some(1) {
+        if path == "-" || path == "/dev/stdout" {
             Output::Stdout
         } else {
             Output::File(path.into())
@@ -66,8 +65,7 @@ impl Output {
                     written => written.context("cannot write to standard output"),
                 }
             }
-            Output::File(path) => files::write(path, content)
-                .with_context(|| format!("cannot write {}", one_line(path))),
+            Output::File(path) => files::write_all(&[(path, content)]),
         }
     }
 
@@ -81,13 +79,17 @@ impl Output {
     }
 }
 
-/// Writes texts, each with the name of its file, into an existing folder.
+/// Writes files that belong together, each with its name, into an existing folder: all of them, or none.
 ///
 /// # Errors
 /// As [`Output::write`].
-pub fn write_texts(folder: &Path, files: &[(&str, String)]) -> anyhow::Result<()> {
-    let mut files = files.iter();
-    files.try_for_each(|(name, text)| Output::File(folder.join(name)).write(text))
+pub fn write_into<C: AsRef<[u8]>>(
+    folder: &Path,
+    files: impl IntoIterator<Item = (impl AsRef<Path>, C)>,
+) -> anyhow::Result<()> {
+    let files = files.into_iter();
+    let files = files.map(|(name, content)| (folder.join(name), content));
+    files::write_all(&files.collect::<Vec<_>>())
 }
 
 /// A record as JSON text with a final line break.

@@ -18,9 +18,17 @@ pub use system::*;
 /// The time of the last change of a file, and its length.
 pub type Stamp = (SystemTime, u64);
 
-/// A name or path for a message, on one line.
+/// A name or path for a message: on one line, control characters as escapes.
 pub fn one_line(name: impl AsRef<OsStr>) -> String {
-    name.as_ref().to_string_lossy().replace('\n', "\\n")
+    let mut line = String::new();
+    for letter in name.as_ref().to_string_lossy().chars() {
+        if letter.is_control() {
+            line.extend(letter.escape_default());
+        } else {
+            line.push(letter);
+        }
+    }
+    line
 }
 
 /// The folder of a file.

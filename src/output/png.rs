@@ -2,23 +2,19 @@
 
 use std::io;
 
-use png::{BitDepth, ColorType, Compression, Encoder, Filter};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder};
 
 /// A PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
 ///
 /// # Errors
 /// If the copy does not fit in memory.
-pub fn encode_png(pixels: &[u32], size: [usize; 2]) -> io::Result<Vec<u8>> {
+pub fn encode_png(pixels: &[u32], [width, height]: [usize; 2]) -> anyhow::Result<Vec<u8>> {
     let mut file = Vec::new();
-    let [width, height] = size.map(|side| side as u32);
-    let mut encoder = Encoder::new(&mut file, width, height);
-    encoder.set_color(ColorType::Rgb);
-    encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Fast);
-    encoder.set_filter(Filter::Adaptive);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(&rgb(pixels)?)?;
-    writer.finish()?;
+    let encoder =
+        PngEncoder::new_with_quality(&mut file, CompressionType::Fast, FilterType::Adaptive);
+    let (width, height) = (width as u32, height as u32);
+    encoder.write_image(&rgb(pixels)?, width, height, ExtendedColorType::Rgb8)?;
     Ok(file)
 }
 

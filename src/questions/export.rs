@@ -7,13 +7,18 @@
 //! ```
 //! OBJ has neither lights nor cameras, so those are comments. Each number is the shortest that is read back as the same f64.
 
+use std::collections::{HashMap, HashSet};
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
+use anyhow::ensure;
 use glam::DVec3;
 
 use crate::components::{FACES, Mesh, NormalMode, Normals, TRIANGLES, Transform, View};
+use crate::output::files::{folder_of, write_all};
 use crate::output::words::counted;
-use crate::output::{Output, one_line, say};
+use crate::output::{one_line, say};
 use crate::questions::job::Drawing;
 use crate::questions::job::camera_name;
 use crate::scene::{CuboidRecord, SceneRecord};
@@ -39,8 +44,17 @@ pub fn run(drawing: &Drawing, path: &Path) -> anyhow::Result<()> {
     for (cuboid, name) in record.cuboid.iter().zip(&names) {
         object(&mut lines, cuboid, name, view.turned, &mut firsts);
     }
-    Output::File(library.clone()).write(text(&materials(&record, &names)))?;
-    Output::File(path.to_owned()).write(text(&lines))?;
+    let other = user_of(&library, path).map(one_line);
+    ensure!(
+        other.is_none(),
+        "cannot write {}: {} has its materials there; give -o another name",
+        one_line(&library),
+        other.unwrap_or_default()
+    );
+    write_all(&[
+        (&*library, text(&materials(&record, &names))),
+        (path, text(&lines)),
+    ])?;
     let cuboids = counted(record.cuboid.len(), "cuboid");
     say(&format!(
         "wrote {cuboids} to {}, the materials to {}",
@@ -50,6 +64,25 @@ pub fn run(drawing: &Drawing, path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// Another OBJ file beside `path` that names this library, if the library exists.
+fn user_of(library: &Path, path: &Path) -> Option<PathBuf> {
+    let name = library.file_name().filter(|_| library.exists())?;
+    let names_it = |file: &PathBuf| {
+        let lines = File::open(file).map(|file| BufReader::new(file).lines());
+        let lines = lines.into_iter().flatten().map_while(Result::ok);
+        // The library is named before the first face that has a material.
+        let mut head = lines.take_while(|line| !line.starts_with("f "));
+        head.any(|line| line.strip_prefix("mtllib ").map(str::trim) == name.to_str())
+    };
+    let beside = fs::read_dir(folder_of(path)).ok()?.flatten();
+    beside.map(|it| it.path()).find(|file| {
+        let is_obj = file
+            .extension()
+            .is_some_and(|it| it.eq_ignore_ascii_case("obj"));
+        is_obj && file.file_name() != path.file_name() && names_it(file)
+    })
+}
+
 fn without_blanks(name: &str) -> String {
     let legal = |letter: char| letter.is_alphanumeric() || "-_.".contains(letter);
     name.replace(|letter| !legal(letter), "_")
@@ -57,15 +90,19 @@ fn without_blanks(name: &str) -> String {
 
 /// Names without blanks, each another one.
 fn names(record: &SceneRecord) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
+    let mut names = Vec::with_capacity(record.cuboid.len());
+    let mut taken = HashSet::new();
+    // The last number of each name, so that the next search begins there.
+    let mut numbers: HashMap<String, usize> = HashMap::new();
     for cuboid in &record.cuboid {
         let own = without_blanks(&cuboid.name);
-        let numbered = (2..).map(|number| format!("{own}_{number}"));
-        let free = [own.clone()].into_iter().chain(numbered);
-        names.extend(
-            free.filter(|name| !name.is_empty())
-                .find(|name| !names.contains(name)),
-        );
+        let number = numbers.entry(own.clone()).or_insert(1);
+        let mut name = own.clone();
+        while name.is_empty() || !taken.insert(name.clone()) {
+            *number += 1;
+            name = format!("{own}_{number}");
+        }
+        names.push(name);
     }
     names
 }

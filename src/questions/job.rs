@@ -66,7 +66,7 @@ impl Drawing {
         format!(
             "{}, camera {}, {}, {width}x{height}, {}{}{}, tolerance {}",
             one_line(&self.scene.name),
-            camera_name(&self.scene.world),
+            one_line(camera_name(&self.scene.world)),
             view.projection.name(),
             self.mode(),
             self.normals(),
@@ -75,10 +75,10 @@ impl Drawing {
         )
     }
 
-    /// Says on standard error why nothing is seen, if no pixel shows a cuboid.
+    /// Says on standard error why nothing is seen, if that is so in a picture with so many pixels of cuboids.
     pub fn say_if_unseen(&self, covered_pixels: u64) {
-        if covered_pixels == 0 {
-            say(&unseen::reason(&self.scene.world, &self.view()));
+        if let Some(reason) = unseen::reason(&self.scene.world, &self.view(), covered_pixels) {
+            say(&reason);
         }
     }
 

@@ -172,6 +172,5 @@ fn write_files(report: &Report, folder: &Path) -> anyhow::Result<()> {
         export::markdown(report),
         plot::svg(report)?,
     ];
-    let files: Vec<_> = FILES.into_iter().zip(texts).collect();
-    output::write_texts(folder, &files)
+    output::write_into(folder, FILES.into_iter().zip(texts))
 }

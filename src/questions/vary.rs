@@ -241,8 +241,7 @@ pub fn run(request: &Request, out: Option<&Path>, as_json: bool) -> anyhow::Resu
     }
     if let Some(folder) = out {
         let texts = [output::json(&report)?, plot::svg(&report)?];
-        let files: Vec<_> = FILES.into_iter().zip(texts).collect();
-        output::write_texts(folder, &files)?;
+        output::write_into(folder, FILES.into_iter().zip(texts))?;
         say(&format!(
             "wrote vary.json and vary.svg into {}",
             one_line(folder)

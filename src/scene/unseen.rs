@@ -1,13 +1,43 @@
-//! Whether a picture shows all cuboids, and why it shows none.
+//! Whether a picture shows all cuboids, and why nothing is seen in it.
 
 use glam::{DVec3, dvec3};
 use hecs::World;
 
-use crate::components::{Lens, Mesh, Transform, View, in_file_order};
+use crate::components::{Lens, Light, LightKind, Material, Mesh, Transform, View, in_file_order};
 use crate::output::words::rounded;
 
+/// The reason why nothing is seen in a picture with so many pixels of cuboids: their places, or light that is too weak. `None`
+/// if something is.
+pub fn reason(world: &World, view: &View, covered_pixels: u64) -> Option<String> {
+    if covered_pixels == 0 {
+        return Some(places(world, view));
+    }
+    let most = most_light(world);
+    let dark = "almost nothing is seen: no light adds more than 1 level of 255; gain = 255 makes an intensity of 1 full brightness";
+    (most > 0.0 && most <= 1.0).then(|| dark.to_owned())
+}
+
+/// The most that one light may add to the colour of a cuboid, in levels of 255.
+fn most_light(world: &World) -> f64 {
+    let materials = in_file_order::<&Material, _>(world, |material| *material);
+    let strongest = |of: fn(&Material) -> DVec3| {
+        let coefficients = materials.iter().map(of);
+        coefficients.fold(DVec3::ZERO, DVec3::max)
+    };
+    let lights = in_file_order::<&Light, _>(world, |light| {
+        let sent = light.color * light.intensity * light.gain;
+        let coefficient = strongest(match light.kind {
+            LightKind::Ambient => |it| it.ambient,
+            LightKind::Diffuse => |it| it.diffuse,
+            LightKind::Specular => |it| it.specular,
+        });
+        light.on.then(|| (coefficient * sent).max_element())
+    });
+    lights.into_iter().flatten().fold(0.0, f64::max)
+}
+
 /// The places of the cuboids in a picture in which none is seen.
-pub fn reason(world: &World, view: &View) -> String {
+fn places(world: &World, view: &View) -> String {
     let lens = Lens::new(view);
     let corners = corners(world, view, &lens).into_iter();
     let mut places: Vec<_> = corners.map(|corners| place(&lens, corners)).collect();

@@ -105,8 +105,7 @@ impl App {
             Action::Help => self.desk.help ^= true,
             Action::Screenshot => self.save_pixels(&self.pixels.clone(), self.size),
             Action::SavePicture => {
-                let shown = self.shown().into_owned();
-                self.save_pixels(&shown, self.canvas.size());
+                self.save_pixels(&self.labelled_picture(), self.canvas.size());
             }
             Action::Close => self.close_uppermost(),
             Action::Quit => self.quit(),
@@ -137,6 +136,18 @@ impl App {
             }
             Err(error) => self.desk.say(format!("not saved: {error:#}")),
         }
+    }
+
+    /// The picture on screen: an error map with its scale, a wipe with its line and the names of its sides.
+    fn labelled_picture(&self) -> Vec<u32> {
+        let mut pixels = self.shown().into_owned();
+        let viewer = self.viewer();
+        let has_labels = matches!(viewer.show, ViewMode::Error | ViewMode::Wipe);
+        // Each of two pictures that blink, and one without a part, is another one than the map or the wipe.
+        if has_labels && self.desk.turn().is_none() && self.desk.shown_without().is_none() {
+            self.labels(&viewer, false).draw(&mut pixels);
+        }
+        pixels
     }
 
     /// Writes pixels as they are seen into a new PNG file.

@@ -3,9 +3,9 @@
 //! The scale runs from 0 to 255 levels, evenly in log(1 + 4 error), so small errors are visible beside large ones. All
 //! pictures have this scale, so their colours can be compared.
 
-use egui::{Align2, Color32, FontId, Painter, Rect, StrokeKind, pos2, vec2};
+use egui::{Color32, FontId, Painter, Rect, pos2};
 
-use crate::output::paint::{annotate, color};
+use crate::output::paint::color;
 use crate::questions::metrics::Pixel;
 use crate::systems::frame::display_pixel;
 
@@ -76,73 +76,55 @@ fn color_at(position: f64) -> u32 {
     }))
 }
 
-/// The least width of a map with its legend, in pixels.
-const WIDTH: usize = 640;
-/// The height of the legend, in pixels.
-const HEIGHT: usize = 104;
-/// The longest scale, in pixels.
-const LONGEST: f32 = 1200.0;
-/// 0x00RRGGBB.
-const PAPER: u32 = 0x0014_1518;
-const INK: Color32 = Color32::from_gray(230);
-const MARGIN: f32 = 20.0;
-
-/// A map with a title and the legend below it: the pixels and the new size. A narrow map is extended to the right.
-pub fn with_legend(
-    map: &[u32],
-    [width, height]: [usize; 2],
-    title: &str,
-) -> (Vec<u32>, [usize; 2]) {
-    let wide = width.max(WIDTH);
-    let mut pixels = vec![PAPER; wide * (height + HEIGHT)];
-    for (row, line) in map.chunks_exact(width).enumerate() {
-        pixels[row * wide..][..width].copy_from_slice(line);
-    }
-    annotate(&mut pixels[wide * height..], [wide, HEIGHT], |ui| {
-        let painter = ui.painter();
-        let write = |x: f32, y: f32, size: f32, text: &str| {
-            let font = FontId::proportional(size);
-            painter.text(pos2(x, y), Align2::LEFT_CENTER, text, font, INK)
-        };
-        write(MARGIN, 15.0, 16.0, title);
-        let length = (wide as f32 - 2.0 * MARGIN).min(LONGEST);
-        let row = Rect::from_min_size(pos2(MARGIN, 30.0), vec2(length, 32.0));
-        draw_scale(painter, row, INK);
-        let mut x = MARGIN;
-        for (ink, meaning) in [
-            (color_at(0.0), "no error"),
-            (EDGE, "another face: not compared"),
-            (NOTHING, "nothing drawn"),
-        ] {
-            let swatch = Rect::from_min_size(pos2(x, 78.0), vec2(14.0, 14.0));
-            painter.rect(swatch, 0.0, color(ink), (1.0, INK), StrokeKind::Inside);
-            x = write(x + 22.0, 85.0, 15.0, meaning).right() + 24.0;
-        }
-    });
-    (pixels, [wide, height + HEIGHT])
-}
-
 #[cfg(test)]
 mod tests {
+    use egui::vec2;
+
     use super::*;
     use crate::components::TriangleId;
+    use crate::output::paint::annotate;
     use crate::questions::metrics::{Picture, compared};
+
+    const WIDTH: usize = 640;
+    const PAPER: u32 = 0x0014_1518;
+
+    /// A scale from column 20 to column 588, and below its colours, from row 16 on, its labels.
+    fn scale() -> Vec<u32> {
+        let mut pixels = vec![PAPER; WIDTH * 32];
+        annotate(&mut pixels, [WIDTH, 32], |ui| {
+            let row = Rect::from_min_size(pos2(20.0, 0.0), vec2(600.0, 32.0));
+            draw_scale(ui.painter(), row, Color32::WHITE);
+        });
+        pixels
+    }
 
     #[test]
     fn labels_are_centred_below_the_scale_and_apart() {
-        let (pixels, [width, _]) = with_legend(&[0], [1, 1], "");
-        // In the lower half of the scale's row.
-        let rows: Vec<&[u32]> = pixels.chunks_exact(width).skip(1 + 46).take(16).collect();
+        let pixels = scale();
+        let rows: Vec<&[u32]> = pixels.chunks_exact(WIDTH).skip(16).collect();
         let is_inked = |column: &usize| rows.iter().any(|row| row[*column] != PAPER);
-        let inked: Vec<usize> = (0..width).filter(is_inked).collect();
+        let inked: Vec<usize> = (0..WIDTH).filter(is_inked).collect();
         let gaps = inked.windows(2).filter(|pair| pair[1] - pair[0] > 4);
         assert_eq!(gaps.count() + 1, TICKS.len());
-        // The ticks of the ends are in columns 20 and 588.
         let [first, last] = [inked[0], inked[inked.len() - 1]];
         assert!(
             (20..24).contains(&first) && (592..604).contains(&last),
             "{first} {last}"
         );
+    }
+
+    #[test]
+    fn a_column_of_the_scale_has_the_colour_of_its_share_and_the_ends_have_ticks() {
+        let pixels = scale();
+        let [first, last] = [20, 588];
+        for (x, &pixel) in pixels[..WIDTH].iter().enumerate() {
+            let share = (x as f64 - first as f64) / (last - first) as f64;
+            let is_inside = (first..=last).contains(&x);
+            let expected = if is_inside { color_at(share) } else { PAPER };
+            assert_eq!(pixel, expected, "column {x}");
+        }
+        let is_ink = |x: usize| color(pixels[15 * WIDTH + x]) == Color32::WHITE;
+        assert!(is_ink(first) && is_ink(last) && !is_ink(first + 1) && !is_ink(last - 1));
     }
 
     #[test]
@@ -198,24 +180,5 @@ mod tests {
             let near = color.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 8);
             assert!(near, "{color:?} is not {expected:?}");
         }
-    }
-
-    #[test]
-    fn a_narrow_map_has_the_scale_below_it_and_paper_beside_it() {
-        let (pixels, size) = with_legend(&[1, 2, 3, 4], [2, 2], "title");
-        assert_eq!(size, [WIDTH, 2 + HEIGHT]);
-        let row = |y: usize| &pixels[y * WIDTH..][..WIDTH];
-        assert_eq!(row(1)[..3], [3, 4, PAPER]);
-        let [first, last] = [20, 588];
-        for (x, &pixel) in row(2 + 30).iter().enumerate() {
-            let share = (x as f64 - first as f64) / (last - first) as f64;
-            let inside = (first..=last).contains(&x);
-            let expected = if inside { color_at(share) } else { PAPER };
-            assert_eq!(pixel, expected, "column {x}");
-        }
-        assert!(row(2 + 29).iter().all(|pixel| *pixel == PAPER));
-        // The ends of the scale have ticks in the lowest rows of the colours.
-        let ink = |x: usize| color(row(2 + 45)[x]) == INK;
-        assert!(ink(first) && ink(last) && !ink(first + 1) && !ink(last - 1));
     }
 }

@@ -56,7 +56,7 @@ pub enum Action {
     Help,
     /// Writes the window into a PNG file.
     Screenshot,
-    /// Writes the picture alone into a PNG file.
+    /// Writes the picture without the panels into a PNG file.
     SavePicture,
     /// Closes the uppermost thing that can be closed.
     Close,
@@ -146,7 +146,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("left panel", "Folds and opens the panel on the left; in a lesson, everything but the lesson.", &[(NO, Key::I, Action::Panel)]),
         ("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
         ("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
-        ("save picture", "Writes the picture alone, the error map or the wipe into a PNG file.", &[(SHIFT, Key::F12, Action::SavePicture)]),
+        ("save picture", "Writes the picture, the error map with its scale, or the wipe with its names into a PNG file.", &[(SHIFT, Key::F12, Action::SavePicture)]),
         ("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Action::Close)]),
         ("quit", "Ends the program.", &[(NO, Key::Q, Action::Quit)]),
     ]),

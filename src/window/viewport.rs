@@ -96,16 +96,21 @@ impl App {
     /// Lays out the words of a lesson's picture.
     fn show_labels(&self, ui: &mut Ui) {
         let Document { scene, step, .. } = &self.document;
-        let labels = Labels {
+        let has_row = scene.lesson[*step].show.contains(&Control::Row);
+        self.labels(&self.viewer(), has_row).show(ui);
+    }
+
+    /// The words of the picture on screen.
+    pub(super) fn labels<'a>(&'a self, viewer: &'a Viewer, has_row: bool) -> Labels<'a> {
+        Labels {
             place: self.canvas.place,
             canvas: &self.canvas,
-            viewer: &self.viewer(),
+            viewer,
             facts: &self.study.facts,
             method: self.method(),
             turn: self.desk.turn(),
-            has_row: scene.lesson[*step].show.contains(&Control::Row),
-        };
-        labels.show(ui);
+            has_row,
+        }
     }
 
     /// Draws the names of the terms, and the outline of the selected cuboid.
@@ -175,9 +180,11 @@ impl App {
         } = self;
         let world = &document.scene.world;
         let is_terms = viewer(world).show == ViewMode::Terms;
-        let is_empty = canvas.pictures.frame.counts().covered_pixels == 0;
-        if is_empty && canvas.drawn.is_some() && !is_terms {
-            let reason = unseen::reason(world, &View::of(world, canvas.size()));
+        let covered = canvas.pictures.frame.counts().covered_pixels;
+        if canvas.drawn.is_some()
+            && !is_terms
+            && let Some(reason) = unseen::reason(world, &View::of(world, canvas.size()), covered)
+        {
             let at = canvas.place.center();
             tag(ui.painter(), Align2::CENTER_CENTER, at, &reason, BAD);
         }

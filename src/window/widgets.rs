@@ -95,9 +95,10 @@ fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
     }
 }
 
-/// A number that was typed, with a decimal point or comma.
+/// A number that was typed or pasted, with a decimal point or comma, and with the minus of print (U+2212) for -.
 fn typed(text: &str) -> Option<f64> {
-    let number = text.trim().replace(',', ".").parse().ok();
+    let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
+    let number = plain.parse().ok();
     number.filter(|number: &f64| number.is_finite())
 }
 

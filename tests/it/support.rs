@@ -2,7 +2,6 @@
 
 pub mod cases;
 pub mod extreme;
-pub mod indexed;
 pub mod random;
 pub mod random_scene;
 pub mod records;

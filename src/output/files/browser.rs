@@ -93,18 +93,15 @@ pub fn make_folder(_: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// There are no descriptors.
-pub fn descriptor(_: &Path) -> Option<u32> {
-    None
-}
-
-/// Replaces a file, or creates it.
+/// Replaces files, or creates them.
 ///
 /// # Errors
 /// None.
-pub fn write(path: &Path, content: &[u8]) -> anyhow::Result<()> {
-    insert(path.to_owned(), content.to_vec());
-    all().changed.push(path.to_owned());
+pub fn write_all(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> anyhow::Result<()> {
+    for (path, content) in files {
+        insert(path.as_ref().to_owned(), content.as_ref().to_vec());
+        all().changed.push(path.as_ref().to_owned());
+    }
     Ok(())
 }
 
@@ -122,7 +119,7 @@ pub fn write_numbered(
         .filter(|path| !is_file(path))
         .next()
         .unwrap_or_default();
-    write(&path, content)?;
+    write_all(&[(&path, content)])?;
     Ok(path)
 }
 

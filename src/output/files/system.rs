@@ -1,15 +1,15 @@
 //! The files of the system, which are written completely or not at all.
 //!
 //! The content goes to a hidden temporary file in the folder of the target, which is renamed to the target once all of
-//! it is on the disk. Devices, pipes and open descriptors such as /dev/fd/3 are written directly. A symbolic link stays a
-//! link, and its target is replaced.
+//! it is on the disk; of several files, once all of them are. Devices and pipes are written directly. A symbolic link
+//! stays a link, and its target is replaced.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::process;
 
 use anyhow::{Context, ensure};
+use tempfile::NamedTempFile;
 
 use super::{Stamp, folder_of, one_line};
 
@@ -68,34 +68,34 @@ pub fn make_folder(path: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The number of this process' open descriptor that a path leads to: 1 for /dev/stdout.
-pub fn descriptor(path: &Path) -> Option<u32> {
-    // A circle of links leads nowhere.
-    path.metadata().ok()?;
-    let mut path = path.to_owned();
-    loop {
-        let folder = folder_of(&path).canonicalize().ok()?;
-        let own = format!("/proc/{}", process::id());
-        if folder == Path::new("/dev/fd") || folder.starts_with(own) && folder.ends_with("fd") {
-            return path.file_name()?.to_str()?.parse().ok();
-        }
-        path = folder.join(fs::read_link(&path).ok()?);
-    }
-}
-
-/// Replaces the file that `path` leads to, or creates it. Devices, pipes and descriptors are written directly.
+/// Replaces the file that each path leads to, or creates it: all of them, or none. What is no regular file, such as a device
+/// or a pipe, is written directly.
 ///
 /// # Errors
-/// If it cannot be written. An existing file is then unchanged.
-pub fn write(path: &Path, content: &[u8]) -> anyhow::Result<()> {
-    let descriptor = descriptor(path);
-    if descriptor == Some(2) {
-        return Ok(io::stderr().write_all(content)?);
+/// If one cannot be written. Existing files are then unchanged.
+pub fn write_all(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> anyhow::Result<()> {
+    let cannot = |path: &Path| format!("cannot write {}", one_line(path));
+    let mut staged = Vec::with_capacity(files.len());
+    for (path, content) in files {
+        let path = path.as_ref();
+        let file = stage(path, content.as_ref()).with_context(|| cannot(path))?;
+        staged.extend(file.map(|(file, target)| (path, file, target)));
     }
+    for (path, file, target) in staged {
+        let renamed = file.persist(target).map_err(|error| error.error);
+        renamed.with_context(|| cannot(path))?;
+    }
+    Ok(())
+}
+
+/// Writes the content to a temporary file beside the one that `path` leads to. `None` if that is no regular file, and has been
+/// written directly.
+fn stage(path: &Path, content: &[u8]) -> anyhow::Result<Option<(NamedTempFile, PathBuf)>> {
     // A file that may not be written may not be replaced either.
     let old = match OpenOptions::new().append(true).open(path) {
-        Ok(mut file) if descriptor.is_some() || !file.metadata()?.is_file() => {
-            return Ok(file.write_all(content)?);
+        Ok(mut file) if !file.metadata()?.is_file() => {
+            file.write_all(content)?;
+            return Ok(None);
         }
         Ok(file) => Some(file.metadata()?.permissions()),
         Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -112,8 +112,7 @@ pub fn write(path: &Path, content: &[u8]) -> anyhow::Result<()> {
         file.as_file().set_permissions(permissions)?;
     }
     file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
-    Ok(())
+    Ok(Some((file, target)))
 }
 
 /// Writes a new file into `folder` under the first free name of `name(1)`, `name(2)`, ... and returns its path.
@@ -141,7 +140,7 @@ pub fn write_numbered(
 }
 
 /// A hidden file with the content and the default permissions of a new file. It is deleted on drop.
-fn temporary_file(folder: &Path, content: &[u8]) -> io::Result<tempfile::NamedTempFile> {
+fn temporary_file(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
     let mut name = tempfile::Builder::new();
     name.prefix(".shadetrade-").suffix(".tmp");
     // Opened here, because an error of the library would name the temporary file.

@@ -11,7 +11,7 @@ use crate::components::ShadingMode::{self, Gouraud, Phong};
 use crate::components::View;
 use crate::output::files::make_folder;
 use crate::output::memory;
-use crate::output::{Output, one_line, say};
+use crate::output::{encode_png, one_line, say, write_into};
 use crate::questions::job::all_cores;
 use crate::scene::Scene;
 use crate::systems;
@@ -62,7 +62,7 @@ const SHEETS: [(&str, &str, usize, &[Figure]); 2] = [
 /// Draws the assignment's figures into `folder`, which is created if absent, and reports each file on standard error.
 ///
 /// # Errors
-/// If the folder cannot be created or a file cannot be written. Files written before stay.
+/// If the folder cannot be created or a file cannot be written; then none is.
 pub fn figures(folder: &Path) -> Result<()> {
     memory::check(SIZE, MEMORY)?;
     make_folder(folder)?;
@@ -70,6 +70,7 @@ pub fn figures(folder: &Path) -> Result<()> {
     let workers = Workers::new(all_cores(), fearless_simd::Level::new())
         .context("cannot start the threads that draw")?;
     let mut frame = Frame::new(Keep::Display, workers);
+    let mut files = Vec::new();
     for (file, title, columns, figures) in SHEETS {
         let mut cells = Vec::new();
         for &(file, mode, [camera, lights], label) in figures {
@@ -78,20 +79,16 @@ pub fn figures(folder: &Path) -> Result<()> {
             let view = View::of(&scene.world, SIZE).shaded(mode);
             systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
             if !file.is_empty() {
-                write(folder, file, frame.pixels(), SIZE)?;
+                files.push((format!("{file}.png"), encode_png(frame.pixels(), SIZE)?));
             }
             cells.push((half(frame.pixels(), SIZE), label));
         }
         let (pixels, size) = sheet(title, columns, &cells, SIZE.map(|side| side / 2));
-        write(folder, file, &pixels, size)?;
+        files.push((format!("{file}.png"), encode_png(&pixels, size)?));
     }
-    Ok(())
-}
-
-fn write(folder: &Path, name: &str, pixels: &[u32], size: [usize; 2]) -> Result<()> {
-    let path = folder.join(name).with_extension("png");
-    let (name, [width, height]) = (one_line(&path), size);
-    Output::File(path).write_png(pixels, size)?;
-    say(&format!("wrote {name}: {width}x{height}"));
+    write_into(folder, files.iter().map(|(name, content)| (name, content)))?;
+    for (name, _) in &files {
+        say(&format!("wrote {}", one_line(folder.join(name))));
+    }
     Ok(())
 }

@@ -156,6 +156,21 @@ fn the_library_does_not_replace_the_scene() {
 }
 
 #[test]
+fn a_library_that_another_file_names_is_not_replaced() {
+    let folder = folder();
+    let folder = folder.path();
+    for _ in 0..2 {
+        assert_works(folder, "export -o a_b.obj");
+    }
+    let library = get(folder, "a_b.mtl");
+    put(folder, "scene.toml", SCENE);
+    let line = "export scene.toml --shading phong -o a+b.obj";
+    assert_failed(&run(folder, line), 1, "a_b.mtl|a_b.obj");
+    assert_eq!(get(folder, "a_b.mtl"), library);
+    assert_eq!(listing(folder), ["a_b.mtl", "a_b.obj", "scene.toml"]);
+}
+
+#[test]
 fn a_file_that_cannot_hold_the_result_is_refused() {
     let folder = folder();
     for (line, status, words) in [

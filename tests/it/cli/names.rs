@@ -84,6 +84,36 @@ fn a_name_with_a_line_break_is_told_on_one_line() {
 }
 
 #[test]
+fn a_name_with_a_line_break_takes_one_row() {
+    let folder = folder();
+    let folder = folder.path();
+    put(
+        folder,
+        "a.toml",
+        SCENE.replace("\"emerald\"", r#""em\nerald""#),
+    );
+    assert_works(folder, "render a.toml --lights none --size 9x9 -o dark.png");
+    for (line, told) in [
+        (
+            "requires a.toml --size 9x9",
+            ["\ncuboid em\\nerald ", "\nem\\nerald "],
+        ),
+        (
+            "prove a.toml --picture dark.png",
+            [", em\\nerald, face", "em\\nerald"],
+        ),
+        (
+            "probe a.toml --size 9x9 --pixel 4,4",
+            ["4,4: em\\nerald,", "em"],
+        ),
+    ] {
+        let text = run(folder, line).stdout;
+        let text = String::from_utf8_lossy(&text).into_owned();
+        assert!(told.iter().all(|it| text.contains(it)), "{line}: {text}");
+    }
+}
+
+#[test]
 fn a_missing_name_is_answered_with_a_short_list_of_names() {
     let folder = folder();
     let more = |index: usize| {

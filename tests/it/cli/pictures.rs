@@ -117,6 +117,22 @@ fn an_empty_picture_says_why() {
 }
 
 #[test]
+fn intensities_that_are_shares_of_1_are_explained() {
+    let folder = folder();
+    put(folder.path(), "levels.toml", SCENE);
+    let shares = "--set light.white.gain=1 --set light.white.intensity=1 --lights white";
+    for (scene, options, is_dark) in [
+        ("levels.toml", "", false),
+        ("levels.toml", "--lights none", false),
+        ("levels.toml", shares, true),
+    ] {
+        let line = format!("render {scene} {options} -o a.png --size 80x60");
+        let said = assert_works(folder.path(), &line);
+        assert_eq!(said.contains("gain = 255"), is_dark, "{line}: {said}");
+    }
+}
+
+#[test]
 fn render_reports_the_file_the_shaded_pixels_and_the_time_of_a_frame() {
     let folder = folder();
     for (options, words) in [

@@ -1,14 +1,17 @@
 //! The scene's file: saving, the mark of edits, quitting, and reloading after a change.
 
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, Queryable};
-use shadetrade::components::Light;
+use shadetrade::components::{Light, viewer};
+use shadetrade::questions::metrics::Pixel;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::window::app::App;
+use shadetrade::window::error_map;
 use shadetrade::window::inspector::Tab;
 
 use super::{PAUSE, SIZE, Window};
@@ -311,21 +314,74 @@ fn a_file_that_is_half_written_is_no_error() {
     assert_eq!(window.record().camera[0].fov, 31.25);
 }
 
-#[test]
-fn a_saved_picture_has_the_size_and_the_pixels_of_the_picture_alone() {
+/// The picture that a window saves in a view, 0x00RRGGBB; the pixels on screen, their width, and the column of the divider.
+fn saved_picture(view: Key) -> (Vec<u32>, Vec<u32>, [usize; 2]) {
     let mut window = Window::open();
-    window.press(Key::F6);
+    window.press(view);
+    window.wait(PAUSE);
     window.press_with(Modifiers::SHIFT, Key::F12);
     let picture = image::open(window.folder.path().join("shadetrade-001.png"));
     let picture = picture.expect("a picture").to_rgb8();
-    let [width, height] = window.app.canvas.size();
-    assert_eq!(
-        [picture.width() as usize, picture.height() as usize],
-        [width, height]
-    );
-    let shown = window.app.shown();
-    for (saved, shown) in picture.pixels().zip(shown.iter()) {
-        assert_eq!(saved.0, shown.to_be_bytes()[1..]);
+    let width = window.app.canvas.size()[0];
+    assert_eq!(picture.width() as usize, width);
+    let pixels = picture.pixels().map(|it| it.0);
+    let pixels = pixels.map(|[red, green, blue]| u32::from_be_bytes([0, red, green, blue]));
+    let shown = window.app.shown().into_owned();
+    let divider = window
+        .app
+        .canvas
+        .divider_column(&viewer(&window.app.document.scene.world));
+    (pixels.collect(), shown, [width, divider])
+}
+
+#[test]
+fn a_saved_picture_has_the_pixels_of_the_picture_alone() {
+    let (saved, shown, _) = saved_picture(Key::F6);
+    assert!(saved == shown);
+}
+
+#[test]
+fn a_saved_error_map_has_its_scale_in_a_corner() {
+    let (saved, shown, [width, _]) = saved_picture(Key::F5);
+    assert_eq!(saved.len(), shown.len());
+    let changed = (0..saved.len()).filter(|at| saved[*at] != shown[*at]);
+    let legend: Vec<usize> = changed.collect();
+    // The cuboid and the other corners are free.
+    let is_in_corner = |at: &usize| at % width < width / 2 && at / width > saved.len() / width / 2;
+    assert!(legend.iter().all(is_in_corner));
+    for error in [0.5, 16.0, 200.0] {
+        let color = error_map::color_of(Pixel::Error(error));
+        let has_color = |at: &usize| is_near(saved[*at], color);
+        assert!(legend.iter().any(has_color), "{error}");
+    }
+}
+
+/// Whether each channel of two pixels differs by at most two levels.
+fn is_near(one: u32, other: u32) -> bool {
+    let channels = one.to_be_bytes().into_iter().zip(other.to_be_bytes());
+    channels
+        .into_iter()
+        .all(|(one, other)| one.abs_diff(other) <= 2)
+}
+
+#[test]
+fn a_saved_wipe_has_its_line_and_the_names_of_its_sides() {
+    let (saved, shown, [width, divider]) = saved_picture(Key::F3);
+    assert_eq!(saved.len(), shown.len());
+    let height = saved.len() / width;
+    let changed = |row: usize, columns: Range<usize>| {
+        let at = |column: &usize| row * width + column;
+        let is_changed = |column: &usize| saved[at(column)] != shown[at(column)];
+        columns.filter(is_changed).count()
+    };
+    let line = divider - 2..divider + 2;
+    for row in 0..height {
+        assert!(changed(row, line.clone()) >= 2, "row {row}");
+    }
+    for half in [0..line.start, line.end..width] {
+        let rows: Vec<usize> = (0..height).map(|row| changed(row, half.clone())).collect();
+        let (names, rest) = rows.split_at(40);
+        assert!(names.iter().sum::<usize>() > 200 && rest.iter().all(|it| *it == 0));
     }
 }
 
