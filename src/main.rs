@@ -55,7 +55,7 @@ fn run(command: Option<Command>) -> Result<(), Failure> {
                 prove::command::run_all(&mut drawing, pictures, options.json)
             } else {
                 let picture = options.read_picture()?;
-                prove::command::run(&mut drawing, picture, map, options.json)
+                prove::command::run(&mut drawing, picture.as_ref(), map, options.json)
             }
         }
         Command::Requires(options) => {

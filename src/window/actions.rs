@@ -153,7 +153,7 @@ impl App {
     /// Writes pixels as they are seen into a new PNG file.
     fn save_pixels(&mut self, pixels: &[u32], size: [usize; 2]) {
         let name = |number| format!("shadetrade-{number:03}.png");
-        let encoded = encode_png(pixels, size).map_err(anyhow::Error::from);
+        let encoded = encode_png(pixels, size);
         let folder = &self.document.folder;
         match encoded.and_then(|file| write_numbered(folder, name, &file)) {
             Ok(path) => self.desk.say(format!("saved {}", path.display())),

@@ -11,8 +11,11 @@ use crate::reference::{Interval, Reference, Rule};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{METHODS, limit};
 
-/// What programs exchange: a picture is often stored from the bottom up, or as blue, green and red.
-const EXCHANGES: [(&str, fn(&mut [u32], usize)); 3] = [
+/// The name of what is exchanged, and the function that does so in pixels of so many columns.
+type Exchange = (&'static str, fn(&mut [u32], usize));
+
+/// Pictures are often stored from the bottom up, or as blue, green and red.
+const EXCHANGES: [Exchange; 3] = [
     ("its rows", |pixels, width| {
         pixels.reverse();
         pixels.chunks_exact_mut(width).for_each(<[u32]>::reverse);
@@ -21,9 +24,9 @@ const EXCHANGES: [(&str, fn(&mut [u32], usize)); 3] = [
         pixels.chunks_exact_mut(width).for_each(<[u32]>::reverse);
     }),
     ("red and blue", |pixels, _| {
-        pixels
-            .iter_mut()
-            .for_each(|pixel| *pixel = pixel.swap_bytes() >> 8);
+        for pixel in pixels {
+            *pixel = pixel.swap_bytes() >> 8;
+        }
     }),
 ];
 

@@ -43,11 +43,11 @@ struct Judged {
 /// If a pixel is not proven, the picture does not fit in memory, or the output cannot be written.
 pub fn run(
     drawing: &mut Drawing,
-    picture: Option<PngPicture>,
+    picture: Option<&PngPicture>,
     map: Option<&Output>,
     as_json: bool,
 ) -> anyhow::Result<()> {
-    let judged = judge(drawing, picture.as_ref())?;
+    let judged = judge(drawing, picture)?;
     let proof = &judged.proof;
     if let Some(output) = map {
         let view = drawing.view();
@@ -55,9 +55,7 @@ pub fn run(
         if picture.is_none() {
             systems::draw(&mut drawing.scene.world, &view, &mut frame)?;
         }
-        let pixels = picture
-            .as_ref()
-            .map_or_else(|| frame.pixels(), |(pixels, _)| pixels);
+        let pixels = picture.map_or_else(|| frame.pixels(), |(pixels, _)| pixels);
         let marked = pixels.iter().zip(&proof.marks);
         let marked: Vec<u32> = marked.map(|(pixel, mark)| color(*pixel, *mark)).collect();
         output.write_png(&marked, view.size)?;
