@@ -81,6 +81,10 @@ fn a_change_that_makes_every_pixel_right_is_the_cause() {
         (blue_first, "once red and blue are"),
         (both, "once its rows and red and blue are"),
         (
+            drawn(|it| it.cuboid[0].shading = ShadingMode::Flat),
+            "picture of flat",
+        ),
+        (
             drawn(|it| it.cuboid[0].shading = ShadingMode::Gouraud),
             "picture of gouraud",
         ),
