@@ -174,7 +174,10 @@ fn every_key_is_explained_in_its_own_table_and_has_its_legal_values() {
         ("camera.1.fov", "a number above 0, at most 179.0"),
         ("view.tolerance", "0 or a number from 0.0001 to 255"),
         ("light.white.on", "a boolean"),
-        ("cuboid.emerald.shading", "one of `flat`, `gouraud`, `phong`"),
+        (
+            "cuboid.emerald.shading",
+            "one of `flat`, `gouraud`, `phong`",
+        ),
     ] {
         assert_eq!(
             Key::from(key).range(&record).as_deref(),
