@@ -69,6 +69,17 @@ impl Camera {
         seen / rows as f64
     }
 
+    /// The camera at the same place that sees `factor` times as much in height and width.
+    #[must_use]
+    pub fn widened(mut self, factor: f64) -> Camera {
+        if factor != 1.0 {
+            let seen = factor * (self.fov / 2.0).to_radians().tan();
+            self.fov = 2.0 * seen.atan().to_degrees();
+            self.height *= factor;
+        }
+        self
+    }
+
     /// Distance of the near plane, in world units.
     pub fn near(&self) -> f64 {
         let to_target = || length(self.target - self.position);

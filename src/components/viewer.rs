@@ -59,11 +59,12 @@ impl Viewer {
         tolerance == 0.0 || (Viewer::LEAST_TOLERANCE..=255.0).contains(&tolerance)
     }
 
-    /// The explained pixel of a picture of this size; `None` if its place lies outside.
-    pub fn pixel_in(&self, size: [usize; 2]) -> Option<[usize; 2]> {
+    /// The explained pixel of a picture of this size, on which the camera's height has `rows` pixels; `None` if its place lies
+    /// outside.
+    pub fn pixel_in(&self, size: [usize; 2], rows: f64) -> Option<[usize; 2]> {
         let place = self.pixel?;
         let pixel = [0, 1].map(|axis| {
-            let pixel = place[axis] * size[1] as f64 + size[axis] as f64 / 2.0;
+            let pixel = place[axis] * rows + size[axis] as f64 / 2.0;
             (0.0..size[axis] as f64)
                 .contains(&pixel)
                 .then_some(pixel as usize)
@@ -71,12 +72,12 @@ impl Viewer {
         Some([pixel[0]?, pixel[1]?])
     }
 
-    /// Explains a pixel of a picture of this size.
-    pub fn set_pixel(&mut self, pixel: [usize; 2], size: [usize; 2]) {
+    /// Explains a pixel of a picture of this size, on which the camera's height has `rows` pixels.
+    pub fn set_pixel(&mut self, pixel: [usize; 2], size: [usize; 2], rows: f64) {
         self.pixel = Some([0, 1].map(|axis| {
             let offset = pixel[axis] as f64 + 0.5 - size[axis] as f64 / 2.0;
             // Short numbers for scene files: less than a hundredth of a pixel in the largest picture.
-            (offset / size[1] as f64 * 1e6).round() / 1e6
+            (offset / rows * 1e6).round() / 1e6
         }));
     }
 }

@@ -5,23 +5,26 @@ use std::sync::Arc;
 use egui::{Event, Key, Ui};
 
 use super::app::App;
+use super::comparison::Worst;
 use super::controls;
 use super::inspector::{Tab, entity_of};
 use super::keys::{self, Action, EXACT_SIDES};
-use super::pictures::{side_method, sides};
+use super::pictures::sides;
 use super::viewport::DIVIDER_MARGIN;
 use crate::components::ViewMode;
 use crate::output::encode_png;
 use crate::output::files::write_numbered;
-use crate::questions::trade::Measurement;
 use crate::scene::key;
 use crate::scene::{BUILT_IN, SceneRecord};
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
     pub(super) fn take_keys(&mut self, ui: &Ui) {
-        let has_field = ui.ctx().text_edit_focused();
         let has_focus = ui.memory(|memory| memory.focused().is_some());
+        // Tab may have gone on from a field to the next one, which is not open yet.
+        let was_field = self.desk.has_field && has_focus;
+        let has_field = ui.ctx().text_edit_focused() || was_field;
+        self.desk.has_field = has_field;
         let events = ui.input(|input| input.events.clone());
         let mut has_run = false;
         for event in events {
@@ -88,7 +91,8 @@ impl App {
             }
             Action::Zoom(steps) => self.desk.say_any(controls::zoom(world, steps)),
             Action::ShowAll => {
-                let size = self.canvas.size();
+                self.canvas.fit_again();
+                let size = self.canvas.wide_size();
                 self.desk.say_any(controls::show_all(world, size));
             }
             Action::Rotate => self.rotation.switch(world, self.desk.now),
@@ -96,7 +100,10 @@ impl App {
                 let is_open = self.desk.tab == Some(tab);
                 self.desk.tab = (!is_open).then_some(tab);
             }
-            Action::Step(steps) => self.step_lesson(steps),
+            Action::Step(steps) => {
+                self.canvas.fit_again();
+                self.step_lesson(steps);
+            }
             Action::Undo | Action::Redo => self.travel(action == Action::Undo),
             Action::Save => self.save(false),
             Action::SaveAs => self.save(true),
@@ -189,8 +196,9 @@ impl App {
 
     /// Explains a pixel, and opens the tab for it.
     pub fn probe(&mut self, pixel: [usize; 2]) {
-        let size = self.canvas.size();
-        self.viewer_mut().set_pixel(pixel, size);
+        let (size, rows) = (self.canvas.size(), self.canvas.rows());
+        self.viewer_mut().set_pixel(pixel, size, rows);
+        self.desk.awaits_worst = None;
         // The scene's tab stays open: a click selects the cuboid there.
         if self.desk.tab == Some(Tab::Scene) {
             self.desk.say("the tab Pixel explains it");
@@ -210,17 +218,18 @@ impl App {
     }
 
     /// Explains the worst pixel of a side of a wipe, or where none is given that of the picture or of the side that errs more;
-    /// and moves the divider where the other side hides it.
+    /// and moves the divider where the other side hides it. What is not known yet is awaited.
     pub(super) fn explain_worst(&mut self, side: Option<usize>) {
-        let facts = &self.study.facts;
-        if !facts.trade.is_current {
-            return self.desk.say("the errors are not measured yet");
-        }
-        let (viewer, method) = (self.viewer(), self.method());
-        let prices = sides(&viewer).map(|side| facts.measured(side_method(&side, method)?));
-        let errors = prices.map(|price| price?.largest_error());
+        let (viewer, facts) = (self.viewer(), &self.study.facts);
+        let worst = sides(&viewer).map(|side| facts.worst(&side, self.method()));
+        let [Some(left), Some(right)] = worst else {
+            drop(viewer);
+            self.desk.awaits_worst = Some(side);
+            return self.desk.say("measuring; the worst pixel opens by itself");
+        };
+        let errors = [left, right].map(|worst| worst.map(|it| it.error));
         let index = side.unwrap_or(usize::from(errors[1] > errors[0]));
-        let Some([x, y]) = prices[index].and_then(Measurement::worst_pixel) else {
+        let Some(Worst { pixel: [x, y], .. }) = [left, right][index] else {
             drop(viewer);
             return self.desk.say("the picture has no worst pixel");
         };
@@ -229,9 +238,9 @@ impl App {
         drop(viewer);
         if is_hidden {
             // A tenth of the width beside it, so that its surroundings are seen.
-            let beside = [0.1, -0.1][index] + x as f64 / self.canvas.size()[0] as f64;
-            let divider = beside.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
-            self.viewer_mut().divider = divider;
+            let offset = if index == 0 { 0.1 } else { -0.1 };
+            let divider = x as f64 / self.canvas.size()[0] as f64 + offset;
+            self.viewer_mut().divider = divider.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
         }
         self.probe([x, y]);
         self.desk.tab = Some(Tab::Pixel);

@@ -26,12 +26,11 @@ use super::inspector::Tab;
 use super::lesson::letters_warning;
 use super::pictures::or_dimmed;
 use super::study::{Background, Study, Subject, change};
-use crate::components::{Mesh, Orbit, View, Viewer, active_camera, get, viewer, viewer_mut};
+use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::output::paint::{Painter, area};
 use crate::questions::job::Drawing;
 use crate::questions::probe::Probe;
 use crate::scene::Scene;
-use crate::scene::unseen::shows_all;
 use crate::shading::Method;
 
 /// The width of a window that opens without its panel, in pixels.
@@ -125,7 +124,7 @@ impl App {
     /// The view that is drawn.
     pub fn view(&self) -> View {
         let world = &self.document.scene.world;
-        self.choice.view(world, self.canvas.size())
+        self.choice.view(world, &self.canvas)
     }
 
     /// The method on screen; `None` where the cuboids have different modes.
@@ -192,9 +191,6 @@ impl App {
         self.receive(now);
         let [begins, ends] = [true, false].map(|begins| has_gesture(&input, begins));
         self.document.keep(now, begins);
-        if begins {
-            self.study.stop_timing();
-        }
         let world = &mut self.document.scene.world;
         self.rotation.go_on(world, now);
         self.look_at_file(now);
@@ -253,6 +249,7 @@ impl App {
                 self.document.keep(now, true);
                 self.desk.file_error = None;
                 let message = self.document.reload(scene);
+                self.canvas.fit_again();
                 self.note_changes();
                 self.desk.say(message);
             }
@@ -274,7 +271,8 @@ impl App {
 
     /// Draws the present picture, and asks the questions about it.
     fn draw(&mut self) -> anyhow::Result<()> {
-        self.fit();
+        let world = &self.document.scene.world;
+        self.canvas.fit(world, &viewer(world));
         self.outdate();
         let last = self.canvas.last_frame(&self.document.state);
         let budget = self.viewer().budget;
@@ -289,6 +287,8 @@ impl App {
             name: &scene.name,
             record: state,
             view,
+            fit: self.canvas.fit,
+            pixel: self.canvas.pixel(&state.view),
             method,
             workers: self.canvas.pictures.frame.workers(),
             rests: self.canvas.rests(),
@@ -298,25 +298,6 @@ impl App {
             self.receive(self.desk.now);
         }
         Ok(())
-    }
-
-    /// Moves the camera of a scene or a window that is new away where a narrow picture would cut cuboids off that a picture of 4:3
-    /// shows. A camera that was moved before, or explains a pixel, stays.
-    fn fit(&mut self) {
-        let size = self.canvas.size();
-        if self.document.fitted.replace(size) == Some(size) {
-            return;
-        }
-        let [width, height] = size;
-        let world = &mut self.document.scene.world;
-        let orbit = get::<Orbit>(world, active_camera(world));
-        let is_own = orbit.is_none_or(|it| it == Orbit::default()) && viewer(world).pixel.is_none();
-        let shows_all = |width| shows_all(world, &View::of(world, [width, height]));
-        let wide = height * 4 / 3;
-        if is_own && width < wide && !shows_all(width) && shows_all(wide) {
-            controls::step_back(world, size);
-            self.note_changes();
-        }
     }
 
     /// Outdates the facts that are not those of the picture to be drawn.
@@ -339,6 +320,9 @@ impl App {
                 let world = &self.document.scene.world;
                 self.desk.select::<Mesh>(world, "cuboid", &object);
             }
+        }
+        if is_new && let Some(side) = self.desk.awaits_worst.take() {
+            self.explain_worst(side);
         }
         is_new
     }
@@ -363,6 +347,8 @@ impl App {
         self.desk
             .say_any(letters_warning(&self.document.scene.lesson));
         self.study.clear();
+        self.canvas.fit_again();
+        self.desk.awaits_worst = None;
         self.desk.selected = None;
         self.desk.tab = self.document.state.view.pixel.map(|_| Tab::Pixel);
         self.desk.file_error = None;
@@ -376,7 +362,8 @@ impl App {
             Command::Worst(side) => self.explain_worst(Some(side)),
             Command::Vary(key) => self.desk.vary(key, &self.document.state),
             Command::StepBack => {
-                let size = self.canvas.size();
+                self.canvas.fit_again();
+                let size = self.canvas.wide_size();
                 controls::step_back(&mut self.document.scene.world, size);
             }
             Command::Open(scene) => match self.document.write_edits() {

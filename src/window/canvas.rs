@@ -9,13 +9,17 @@ use hecs::World;
 
 use super::facts::Facts;
 use super::pictures::{Pictures, divider_column, or_dimmed};
-use crate::components::{Side, View, ViewMode, Viewer};
+use crate::components::{Projection, Side, View, ViewMode, Viewer};
 use crate::output::memory::{self, OutOfMemory};
 use crate::scene::SceneRecord;
+use crate::scene::unseen::shows_all;
 use crate::systems::frame::Workers;
 
 /// The time without a change after which the picture is compared, measured and proven.
 pub const REST: Duration = Duration::from_millis(100);
+
+/// The factor from one fit of a narrow picture to the next.
+const FIT_STEP: f64 = 1.1;
 
 /// The picture on screen.
 pub struct Canvas {
@@ -24,6 +28,10 @@ pub struct Canvas {
     pub place: Rect,
     /// Pixels of the window in a point.
     pub scale: f32,
+    /// A picture that is too narrow shows this many times the height of its camera.
+    pub fit: f64,
+    /// The size, the camera and the projection for which that was found.
+    fitted: Option<([usize; 2], Option<String>, Projection)>,
     /// The state and the view that were drawn last.
     pub drawn: Option<(Arc<SceneRecord>, View)>,
     /// When the picture last changed, until it rests.
@@ -36,6 +44,8 @@ impl Canvas {
             pictures: Pictures::new(workers),
             place: Rect::ZERO,
             scale: 1.0,
+            fit: 1.0,
+            fitted: None,
             drawn: None,
             moved: None,
         }
@@ -67,7 +77,45 @@ impl Canvas {
 
     /// The pixel that is explained, if it lies in the picture.
     pub fn pixel(&self, viewer: &Viewer) -> Option<[usize; 2]> {
-        viewer.pixel_in(self.size())
+        viewer.pixel_in(self.size(), self.rows())
+    }
+
+    /// The pixels of the camera's height.
+    pub fn rows(&self) -> f64 {
+        self.size()[1] as f64 / self.fit
+    }
+
+    /// Fits what is shown into a narrow picture that would cut cuboids off which one of 4:3 shows. The camera stays as it is.
+    /// While the user moves it in this picture the fit stays, too.
+    pub fn fit(&mut self, world: &World, viewer: &Viewer) {
+        let [width, height] = self.size();
+        let present = ([width, height], viewer.camera.clone(), viewer.projection);
+        if self.fitted.as_ref() == Some(&present) {
+            return;
+        }
+        self.fitted = Some(present);
+        let shows_all = |width, fit| {
+            let view = View::of(world, [width, height]);
+            let camera = view.camera.widened(fit);
+            shows_all(world, &View { camera, ..view })
+        };
+        let [wide, _] = self.wide_size();
+        let most = wide as f64 / width as f64;
+        self.fit = 1.0;
+        while self.fit < most && !shows_all(width, self.fit) && shows_all(wide, 1.0) {
+            self.fit = most.min(self.fit * FIT_STEP);
+        }
+    }
+
+    /// The size of the picture, or of one of 4:3 that is as high and wider.
+    pub fn wide_size(&self) -> [usize; 2] {
+        let [width, height] = self.size();
+        [width.max(height * 4 / 3), height]
+    }
+
+    /// Fits the picture anew: another scene or place of the camera is shown.
+    pub fn fit_again(&mut self) {
+        self.fitted = None;
     }
 
     /// The first column right of the divider.

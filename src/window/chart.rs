@@ -66,12 +66,11 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
     let method = choice.method(world);
     ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
         ui.set_min_height(SENTENCE);
-        sentence_about(ui, trade.value.as_deref().unwrap_or_default(), method);
+        sentence_about(ui, trade.current().map_or(&[], Vec::as_slice), method);
     });
     let caption = match (trade.is_current, study.progress()) {
         (false, Some((step, _))) => step,
-        (false, None) if trade.value.is_none() => "times follow".to_owned(),
-        (false, None) => "measured before the last change; new times follow".to_owned(),
+        (false, None) => "times follow".to_owned(),
         _ => {
             let axes = "up: error, levels; right: ms";
             format!("{axes}{}", resolution(clock_step()))
@@ -85,7 +84,7 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
             ui.add(caption).on_hover_text(CAPTION);
         });
     });
-    let measured = trade.value.iter().flatten().cloned();
+    let measured = trade.current().into_iter().flatten().cloned();
     let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
     let mut axes = axes().width(ui.available_width() - BESIDE);
     if known.is_empty() {

@@ -3,6 +3,7 @@
 
 use hecs::World;
 
+use super::canvas::Canvas;
 use super::controls::{choose_method, set_tolerance, step_tolerance};
 use super::facts::Facts;
 use super::widgets::{rounded, short};
@@ -40,9 +41,10 @@ impl Choice {
         });
     }
 
-    /// The view of the picture of `size` pixels.
-    pub fn view(&self, world: &World, size: [usize; 2]) -> View {
-        let view = View::of(world, size);
+    /// The view of the picture on a canvas.
+    pub fn view(&self, world: &World, canvas: &Canvas) -> View {
+        let mut view = View::of(world, canvas.size());
+        view.camera = view.camera.widened(canvas.fit);
         let held = self.held.map(|method| method.view(&view));
         held.unwrap_or(view)
     }

@@ -1,4 +1,4 @@
-//! A picture compared with exact Phong, the best picture of the scene: the exact picture, the error map, the largest error.
+//! A picture compared with exact Phong, the best picture of the scene: the exact picture, the error map, the worst pixel.
 
 use fearless_simd::Level;
 use hecs::World;
@@ -8,8 +8,9 @@ use crate::components::{ShadingMode, View};
 use crate::output::Monitor;
 use crate::output::memory;
 use crate::output::progress::bands;
-use crate::questions::metrics::{self, Picture};
+use crate::questions::metrics::{self, ErrorStatistics, Picture, compare};
 use crate::reference;
+use crate::shading::Method;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers, display_pixel};
 
@@ -20,39 +21,87 @@ pub struct Comparison {
     pub exact: Vec<u32>,
     /// The error against exact Phong in the colours of [`super::error_map`], 0x00RRGGBB.
     pub error_map: Vec<u32>,
-    /// The largest error, in levels of 255; `None` where nothing can be compared.
-    pub error: Option<f64>,
+    /// The worst pixel of the picture; `None` where nothing can be compared.
+    pub worst: Option<Worst>,
+    /// The worst pixel by other methods: of the sides of a wipe.
+    pub sides: Vec<(Method, Option<Worst>)>,
+}
+
+/// The pixel that errs most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// In levels of 255.
+    pub error: f64,
+    /// Column and row of the first pixel that has it.
+    pub pixel: [usize; 2],
+}
+
+impl From<ErrorStatistics> for Worst {
+    fn from(error: ErrorStatistics) -> Self {
+        Worst {
+            error: error.max,
+            pixel: error.max_pixel,
+        }
+    }
+}
+
+/// The worst pixel of some rows, and that of the rows from `top` on.
+fn worse(before: Option<Worst>, found: Option<ErrorStatistics>, top: usize) -> Option<Worst> {
+    let mut found = found.map(Worst::from);
+    if let Some(found) = &mut found {
+        found.pixel[1] += top;
+    }
+    match (before, found) {
+        (Some(before), Some(found)) if found.error <= before.error => Some(before),
+        _ => found.or(before),
+    }
 }
 
 impl Comparison {
-    /// Compares the picture of `view`.
+    /// The worst pixel by a method; `shown` is that of the picture. The outer `None` says that it was not compared.
+    pub fn worst_by(&self, method: Option<Method>, shown: Option<Method>) -> Option<Option<Worst>> {
+        if method == shown {
+            return Some(self.worst);
+        }
+        let side = self.sides.iter().find(|side| Some(side.0) == method)?;
+        Some(side.1)
+    }
+
+    /// Compares the picture of `view`, and that by each of `methods`.
     ///
     /// # Errors
     /// If the picture does not fit in memory, or the work is cancelled.
     pub async fn of(
         world: &mut World,
         view: &View,
+        methods: Vec<Method>,
         level: Level,
         monitor: Monitor<'_>,
     ) -> anyhow::Result<Comparison> {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         let mut exact_pixels = memory::reserve_pixels(view.size)?;
         let mut error_map = memory::reserve_pixels(view.size)?;
-        let mut largest: Option<f64> = None;
+        let mut worst = None;
+        let mut sides: Vec<_> = methods.into_iter().map(|method| (method, None)).collect();
         for rows in bands(view.size[1]) {
-            systems::draw_rows(world, view, rows.clone(), &mut frame)?;
             let phong = view.shaded(ShadingMode::Phong);
-            let exact = reference::picture(world, &phong, rows, monitor).await?;
+            let exact = reference::picture(world, &phong, rows.clone(), monitor).await?;
+            for (method, worst) in &mut sides {
+                systems::draw_rows(world, &method.view(view), rows.clone(), &mut frame)?;
+                let error = compare(Picture::from(&frame), Picture::from(&exact)).error;
+                *worst = worse(*worst, error, rows.start);
+            }
+            systems::draw_rows(world, view, rows.clone(), &mut frame)?;
             let (drawn, compared) = (Picture::from(&frame), Picture::from(&exact));
-            let error = metrics::compare(drawn, compared).error.map(|it| it.max);
-            largest = largest.into_iter().chain(error).reduce(f64::max);
+            worst = worse(worst, compare(drawn, compared).error, rows.start);
             error_map.extend(metrics::compared(drawn, compared).map(color_of));
             exact_pixels.extend(exact.levels.into_iter().map(display_pixel));
         }
         Ok(Comparison {
             exact: exact_pixels,
             error_map,
-            error: largest,
+            worst,
+            sides,
         })
     }
 }

@@ -50,6 +50,10 @@ pub struct Desk {
     pub selected: Option<EntityPlace>,
     /// Whether a click waits until it is known which cuboid it shows. That one is selected then.
     pub has_clicked: bool,
+    /// The worst pixel of this side of a wipe, or of the picture, is explained as soon as it is known.
+    pub awaits_worst: Option<Option<usize>>,
+    /// Whether the keyboard's focus is in a field, or came from one.
+    pub has_field: bool,
     /// Whether a field or a popup of the last layout takes Escape.
     pub takes_escape: bool,
     /// The wishes of the present layout.
@@ -109,7 +113,9 @@ impl Desk {
 
     /// Closes the uppermost thing that can be closed. Returns whether there was one.
     pub fn close(&mut self) -> bool {
-        std::mem::take(&mut self.help) || self.file_error.take().is_some()
+        std::mem::take(&mut self.help)
+            || self.file_error.take().is_some()
+            || self.awaits_worst.take().is_some()
     }
 }
 

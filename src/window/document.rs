@@ -35,8 +35,6 @@ pub struct Document {
     pub folder: PathBuf,
     /// The step of the lesson, counted from 0.
     pub step: usize,
-    /// The size of the picture to which the camera was fitted.
-    pub fitted: Option<[usize; 2]>,
 }
 
 impl Document {
@@ -49,7 +47,6 @@ impl Document {
             unsaved: None,
             folder: PathBuf::from("."),
             step: 0,
-            fitted: None,
             state,
             scene,
         }
@@ -140,7 +137,6 @@ impl Document {
         // A step is no edit.
         self.file.saved = Arc::clone(&step.record);
         self.step = place;
-        self.fitted = None;
         None
     }
 

@@ -11,7 +11,9 @@ use anyhow::{Context, anyhow};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use web_time::Instant;
 
-use super::comparison::Comparison;
+use super::comparison::{Comparison, Worst};
+use super::pictures::side_method;
+use crate::components::Side;
 use crate::output::Monitor;
 use crate::output::finished;
 use crate::questions::job::all_cores;
@@ -87,16 +89,28 @@ impl Facts {
         section.find(|probe| Some(probe.pixel) == pixel)
     }
 
-    /// The measurement of a method, if there is one; [`Facts::trade`] says whether it is that of the present view.
+    /// The measurement of a method in the present view.
     pub fn measured(&self, method: Method) -> Option<&Measurement> {
-        let mut measured = self.trade.value.iter().flatten();
+        let mut measured = self.trade.current().into_iter().flatten();
         measured.find(|it| it.method == method)
     }
 
     /// The median time of a method in the present view, in milliseconds.
     pub fn measured_time(&self, method: Option<Method>) -> Option<f64> {
-        let method = method.filter(|_| self.trade.is_current)?;
-        Some(self.measured(method)?.timing.median)
+        Some(self.measured(method?)?.timing.median)
+    }
+
+    /// The worst pixel of a side of a wipe or of the picture, as it is now; `shown` is the method on screen. The outer `None`
+    /// says that it is not known yet, the inner one that nothing can be compared.
+    pub fn worst(&self, side: &Side, shown: Option<Method>) -> Option<Option<Worst>> {
+        if *side == Side::Reference {
+            return Some(None);
+        }
+        let method = side_method(side, shown);
+        let comparison = self.comparison.current();
+        let compared = comparison.and_then(|it| it.worst_by(method, shown));
+        let measured = || Some(self.measured(method?)?.error.map(Worst::from));
+        compared.or_else(measured)
     }
 }
 

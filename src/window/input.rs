@@ -1,7 +1,8 @@
 //! The keys and the wheel that minifb reports, as events of egui.
 //!
 //! minifb names keys as they lie on a US keyboard, and sends the characters beside them. A character that its key does not
-//! name (`?`, `+`, a digit on a French keyboard) is an egui key of its own.
+//! name (`?`, `+`, a digit on a French keyboard) is an egui key of its own; so is the letter of a control character, which a
+//! layout without Latin letters in its first group reports alone.
 
 use egui::{Event, Key, Modifiers, MouseWheelUnit, TouchPhase, vec2};
 use minifb::Key as Reported;
@@ -26,8 +27,6 @@ pub struct Input {
     pressed: Option<Key>,
     /// The last character that no key named, until a key goes up.
     unnamed: Option<char>,
-    /// Whether `Ctrl V` was pressed: the clipboard is to be read.
-    pub pastes: bool,
 }
 
 impl Input {
@@ -41,14 +40,8 @@ impl Input {
                 }
                 self.modifiers = self.held_modifiers();
                 self.pressed = named(key);
-                let edit = match self.pressed.filter(|_| self.modifiers.command) {
-                    Some(Key::C) => Some(Event::Copy),
-                    Some(Key::X) => Some(Event::Cut),
-                    _ => None,
-                };
-                self.pastes |= self.modifiers.command && self.pressed == Some(Key::V);
-                let press = self.pressed.map(|key| self.key(key, true, repeat));
-                self.events.extend(edit.or(press));
+                let press = self.pressed.map(|key| self.press(key, repeat));
+                self.events.extend(press);
             }
             KeyReport::Up(key) => {
                 self.held.retain(|held| *held != key);
@@ -63,20 +56,42 @@ impl Input {
 
     fn character(&mut self, character: char) {
         let pressed = self.pressed.take();
-        if character.is_control() || self.modifiers.command {
-            return;
-        }
-        let own = Key::from_name(&character.to_uppercase().to_string());
+        let is_letter = pressed.is_none_or(|key| (Key::A..=Key::Z).contains(&key));
+        let own = match character {
+            // Ctrl A to Ctrl Z. Tab and Enter are such characters, too.
+            '\u{1}'..='\u{1a}' if self.modifiers.command && is_letter => {
+                Key::from_name(&char::from(b'@' + character as u8).to_string())
+            }
+            _ if character.is_control() || self.modifiers.command => return,
+            _ => Key::from_name(&character.to_uppercase().to_string()),
+        };
         if let Some(own) = own.filter(|own| Some(*own) != pressed) {
             // The press has one name: the character's.
-            let is_press = |event: &mut Event| matches!(event, Event::Key { key, pressed: true, .. } if Some(*key) == pressed);
-            self.events.pop_if(is_press);
+            let named = pressed.map(|key| self.press(key, false));
+            self.events.pop_if(|event| Some(&*event) == named.as_ref());
             let repeat = self.unnamed.replace(character) == Some(character);
-            let press = self.key(own, true, repeat);
+            let press = self.press(own, repeat);
             let release = self.key(own, false, false);
             self.events.extend([press, release]);
         }
-        self.events.push(Event::Text(character.to_string()));
+        if !self.modifiers.command {
+            self.events.push(Event::Text(character.to_string()));
+        }
+    }
+
+    /// Whether `Ctrl V` was pressed: the clipboard is to be read.
+    pub fn pastes(&self) -> bool {
+        let is_paste = |event: &Event| matches!(event, Event::Key { key: Key::V, pressed: true, modifiers, .. } if modifiers.command);
+        self.events.iter().any(is_paste)
+    }
+
+    /// The event of a press. Those that copy and cut have their own.
+    fn press(&self, key: Key, repeat: bool) -> Event {
+        match key {
+            Key::C if self.modifiers.command => Event::Copy,
+            Key::X if self.modifiers.command => Event::Cut,
+            _ => self.key(key, true, repeat),
+        }
     }
 
     /// The wheel turned by so many notches; away from the user is positive.
@@ -214,6 +229,38 @@ mod tests {
             keys(&digit),
             [(Key::Num1, false), (Key::Num1, true), (Key::Num1, false)]
         );
+    }
+
+    #[test]
+    fn a_control_character_is_ctrl_with_its_letter() {
+        use KeyReport::{Character, Down};
+        let control = Down(Reported::LeftCtrl);
+        // A layout whose first group has no Latin letters reports no key.
+        assert_eq!(keys(&[control, Character('\u{13}')]), [(Key::S, false)]);
+        // One whose first group has others reports another key.
+        let other = [control, Down(Reported::Z), Character('\u{19}')];
+        assert_eq!(keys(&other), [(Key::Y, false)]);
+        // Tab, Enter and Backspace are such characters.
+        for (key, character) in [
+            (Reported::Tab, '\t'),
+            (Reported::Enter, '\r'),
+            (Reported::Backspace, '\u{8}'),
+        ] {
+            let found = keys(&[control, Down(key), Character(character)]);
+            assert_eq!(found, [(named(key).expect("egui has it"), false)]);
+        }
+        let after = |reports: &[KeyReport]| {
+            let mut input = Input::default();
+            reports.iter().for_each(|report| input.report(*report));
+            input
+        };
+        let copied = after(&[control, Character('\u{3}')]);
+        assert!(copied.events.contains(&Event::Copy));
+        let not_copied = after(&[control, Down(Reported::C), Character('\u{9}')]);
+        assert!(!not_copied.events.contains(&Event::Copy));
+        assert!(after(&[control, Character('\u{16}')]).pastes());
+        assert!(!after(&[control, Down(Reported::V), Character('\u{b}')]).pastes());
+        assert!(!after(&[Character('\u{13}')]).events.iter().any(|_| true));
     }
 
     #[test]

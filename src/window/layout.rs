@@ -163,8 +163,7 @@ fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<
     }
 }
 
-/// The facts about the picture; those of the picture before stay until they are found again. `time` is that of a frame, in
-/// milliseconds, where times are shown. Returns whether the error was clicked.
+/// The facts about the present picture. `time` is that of a frame, in milliseconds, where times are shown. Returns whether the error was clicked.
 fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f64>) -> bool {
     let name = side_name(&Side::Picture, method);
     ui.label(name).on_hover_text(METHOD);
@@ -180,8 +179,8 @@ fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f
     let Facts {
         comparison, proof, ..
     } = &study.facts;
-    if let Some(error) = comparison.value.as_ref().and_then(|it| it.error) {
-        let text = format!("{} levels off exact Phong", short(error));
+    if let Some(Some(worst)) = study.facts.worst(&Side::Picture, method) {
+        let text = format!("{} levels off exact Phong", short(worst.error));
         is_clicked = fact(text, INK, ERROR, Sense::click()).clicked();
     }
     if let Some(it) = proof.current() {

@@ -290,7 +290,8 @@ async fn picture(
     canvas.draw(Duration::ZERO, &mut scene.world, &step.record, view)?;
     let mut facts = Facts::default();
     if shows_exact(viewer) {
-        let comparison = Comparison::of(&mut scene.world, &view, level, monitor).await?;
+        let comparison =
+            Comparison::of(&mut scene.world, &view, Vec::new(), level, monitor).await?;
         facts.comparison.finish(Some(comparison));
     }
     if let Some(pixel) = canvas.pixel(viewer) {

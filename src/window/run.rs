@@ -97,7 +97,7 @@ impl Session {
     /// Takes a step if something happened, shows the pixels again if that is due, and sleeps.
     fn turn(&mut self) -> anyhow::Result<()> {
         let now = self.start.elapsed();
-        if std::mem::take(&mut self.display.input.pastes) {
+        if self.display.input.pastes() {
             self.paste();
             self.due = now;
         }

@@ -14,7 +14,7 @@ use super::document::is_another_scene;
 use super::facts::{Facts, Latest, Question, Work, pool};
 use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
-use crate::components::{Side, View, ViewMode, Viewer, alike};
+use crate::components::{Camera, Side, View, ViewMode, Viewer, active_camera, alike};
 use crate::output::Monitor;
 use crate::questions::job::Drawing;
 use crate::questions::probe;
@@ -78,6 +78,10 @@ pub struct Subject<'a> {
     pub name: &'a str,
     pub record: &'a Arc<SceneRecord>,
     pub view: View,
+    /// See [`Canvas::fit`](super::canvas::Canvas::fit).
+    pub fit: f64,
+    /// The explained pixel.
+    pub pixel: Option<[usize; 2]>,
     /// The method on screen; `None` where the cuboids have different modes.
     pub method: Option<Method>,
     pub workers: &'a Workers,
@@ -102,7 +106,7 @@ pub struct Study {
     background: Background,
     /// For [`Background::Threads`].
     pool: Option<ThreadPool>,
-    work: Option<Work>,
+    pub work: Option<Work>,
     next_progress: Duration,
     /// The reason why a question has no answer, until it is taken.
     failure: Option<String>,
@@ -134,11 +138,6 @@ impl Study {
         self.background != Background::AtOnce
     }
 
-    /// Stops frames that are being timed: they would delay the picture after a press.
-    pub fn stop_timing(&mut self) {
-        self.work.take_if(|work| work.question == Question::Measure);
-    }
-
     /// Outdates the facts that a change touches, and stops the work on them. `pixel` is the explained one.
     pub fn outdate(&mut self, change: Change, pixel: Option<[usize; 2]>) {
         match change {
@@ -162,8 +161,9 @@ impl Study {
         let viewer = &subject.record.view;
         let level = subject.workers.level();
         let is_live = self.is_live();
-        let shows_exact = desk.blinks.is_some() || shows_exact(viewer);
-        if let Some(pixel) = viewer.pixel_in(subject.view.size) {
+        let shows_exact =
+            desk.blinks.is_some() || desk.awaits_worst.is_some() || shows_exact(viewer);
+        if let Some(pixel) = subject.pixel {
             let viewer = viewer.clone();
             self.find(
                 subject,
@@ -176,13 +176,18 @@ impl Study {
                 },
             );
         }
-        if is_live || shows_exact {
+        let methods: Vec<Method> = side_methods(subject).collect();
+        let comparison = &self.facts.comparison;
+        let knows = |it: &Comparison, method| it.worst_by(method, subject.method).is_some();
+        let mut known = comparison.value.iter();
+        let knows_all = known.all(|it| methods.iter().all(|method| knows(it, Some(*method))));
+        if (is_live || shows_exact) && !(comparison.is_current && knows_all) {
             self.find(
                 subject,
                 Question::Compare,
                 |facts| &mut facts.comparison,
                 async move |mut scene, view, monitor| {
-                    Comparison::of(&mut scene.world, view, level, monitor).await
+                    Comparison::of(&mut scene.world, view, methods, level, monitor).await
                 },
             );
         }
@@ -303,7 +308,13 @@ impl Study {
         find: impl AsyncFnOnce(Scene, &View, Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
     ) {
         // What is known of these grows.
-        let grows = [Question::Measure, Question::Require, Question::Vary].contains(&question);
+        let grows = [
+            Question::Compare,
+            Question::Measure,
+            Question::Require,
+            Question::Vary,
+        ]
+        .contains(&question);
         let is_open = grows || !place(&mut self.facts).is_current;
         let work = self.work.as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
@@ -312,9 +323,13 @@ impl Study {
             return;
         }
         let (name, record) = (subject.name.to_owned(), Arc::clone(subject.record));
-        let view = subject.view;
+        let (view, fit) = (subject.view, subject.fit);
         let find = async move |monitor: Monitor<'_>| {
-            find(Scene::spawn(name, &record), &view, monitor).await
+            let mut scene = Scene::spawn(name, &record);
+            let camera = active_camera(&scene.world);
+            let fitted = Camera::own(&scene.world, camera).widened(fit);
+            scene.world.insert_one(camera, fitted)?;
+            find(scene, &view, monitor).await
         };
         // The work before is cancelled first.
         self.work = None;
@@ -372,16 +387,21 @@ pub fn shows_exact(viewer: &Viewer) -> bool {
 
 /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
 fn wanted_methods(subject: &Subject) -> Vec<Method> {
-    let sides = sides(&subject.record.view).into_iter();
-    let sides = sides.filter_map(|side| side_method(&side, subject.method));
     // The frames of the other one take so long that they would delay a key.
     let own = subject.record.cuboid.iter().map(|it| it.segments);
     let timed = methods(alike(own)).filter(|it| is_timed(*it));
     let mut methods: Vec<Method> = timed.collect();
-    for method in subject.method.into_iter().chain(sides) {
+    for method in subject.method.into_iter().chain(side_methods(subject)) {
         if !methods.contains(&method) {
             methods.push(method);
         }
     }
     methods
+}
+
+/// The methods on the sides of a wipe, beside that of the picture.
+fn side_methods(subject: &Subject) -> impl Iterator<Item = Method> {
+    let sides = sides(&subject.record.view).into_iter();
+    let methods = sides.filter_map(|side| side_method(&side, subject.method));
+    methods.filter(|method| Some(*method) != subject.method)
 }

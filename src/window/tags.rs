@@ -10,7 +10,6 @@ use super::widgets::{INK, short};
 use super::words::about;
 use crate::components::{ShadingMode, Side, viewer, viewer_mut};
 use crate::output::words::capital;
-use crate::questions::trade::Measurement;
 use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, Method};
 
@@ -91,8 +90,7 @@ pub fn tags(
                     row.on_hover_text(side_says(&side));
                 }
             });
-            let price = side_method(&sides[index], shown).and_then(|it| facts.measured(it));
-            if price.is_some_and(|it| price_rows(ui, it, facts.trade.is_current)) {
+            if price_rows(ui, facts, &sides[index], shown, desk.shows_times) {
                 desk.commands.push(Command::Worst(index));
             }
         });
@@ -100,20 +98,32 @@ pub fn tags(
     viewer_mut(world).sides = sides;
 }
 
-/// Lays out the price of a method. Returns whether its worst pixel was clicked.
-fn price_rows(ui: &mut Ui, price: &Measurement, is_current: bool) -> bool {
-    ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
-    if let Some(kept) = price.highlight_kept {
+/// Lays out what is known of the price of a side; `is_measured` if its time is. Returns whether its worst pixel was clicked.
+fn price_rows(
+    ui: &mut Ui,
+    facts: &Facts,
+    side: &Side,
+    shown: Option<Method>,
+    is_measured: bool,
+) -> bool {
+    let Some(method) = side_method(side, shown) else {
+        return false;
+    };
+    let price = facts.measured(method);
+    if let Some(price) = price {
+        ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
+    } else if is_measured {
+        ui.weak("measuring");
+    }
+    if let Some(kept) = price.and_then(|it| it.highlight_kept) {
         let text = format!("highlight kept {:.0} %", 100.0 * kept);
         ui.colored_label(INK, text)
             .on_hover_text(about("highlight kept"));
     }
-    let worst = price.largest_error().map(|error| {
-        let text = format!("worst pixel {} of 255", short(error));
-        ui.link(RichText::new(text).color(INK))
-    });
-    if !is_current {
-        ui.weak("measuring");
-    }
-    worst.is_some_and(|it| it.on_hover_text("Shows why it errs.").clicked())
+    let Some(Some(worst)) = facts.worst(side, shown) else {
+        return false;
+    };
+    let text = format!("worst pixel {} of 255", short(worst.error));
+    let link = ui.link(RichText::new(text).color(INK));
+    link.on_hover_text("Shows why it errs.").clicked()
 }

@@ -72,7 +72,7 @@ impl App {
                 tags(ui, world, canvas.place, &study.facts, method, desk);
             }
         }
-        let view = choice.view(world, canvas.size());
+        let view = choice.view(world, canvas);
         // A disc over a tag can be dragged.
         if desk.tab == Some(Tab::Scene) {
             discs(ui, world, &view, canvas, desk);
@@ -116,7 +116,7 @@ impl App {
     /// Draws the names of the terms, and the outline of the selected cuboid.
     fn draw_subjects(&self, ui: &Ui) {
         let (world, canvas) = (&self.document.scene.world, &self.canvas);
-        let view = self.choice.view(world, canvas.size());
+        let view = self.choice.view(world, canvas);
         if viewer(world).show == ViewMode::Terms {
             draw_terms(ui.painter(), canvas.place);
         } else if self.desk.tab == Some(Tab::Scene)
@@ -305,7 +305,7 @@ pub fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, facts: &Facts) {
 fn error_legend(ui: &mut Ui, tolerance: f64, facts: &Facts) {
     ui.label("error against exact Phong, levels");
     let comparison = facts.comparison.current();
-    let largest = comparison.and_then(|it| it.error);
+    let largest = comparison.and_then(|it| it.worst).map(|it| it.error);
     let size = vec2(ui.available_width().min(260.0), 26.0);
     let (place, response) = ui.allocate_exact_size(size, Sense::hover());
     response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");

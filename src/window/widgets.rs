@@ -126,7 +126,13 @@ pub const VARY: &str = "Shows the errors over the range of this number (tab Vary
 
 /// A button whose click shows a number against the error. Returns whether it was clicked.
 pub fn vary_button(ui: &mut Ui) -> bool {
-    let button = ui.add(Button::new("📈").small().frame(false));
+    let button = Button::new("📈").small().frame(false);
+    beside_number(ui, button)
+}
+
+/// A button beside a number, which Tab passes by on its way to the next number. Returns whether it was clicked.
+pub fn beside_number(ui: &mut Ui, button: Button<'_>) -> bool {
+    let button = ui.add(button.sense(Sense::CLICK));
     button.on_hover_text(VARY).clicked()
 }
 

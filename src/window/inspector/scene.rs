@@ -15,7 +15,7 @@ use crate::scene::SceneRecord;
 use crate::scene::key::Key;
 use crate::window::desk::{Command, Desk, EntityPlace};
 use crate::window::document::Document;
-use crate::window::widgets::{VARY, color_button, number, vary_button};
+use crate::window::widgets::{beside_number, color_button, number, vary_button};
 
 /// The keys that have a colour picker.
 const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
@@ -273,7 +273,7 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: 
             };
             for (number, name) in numbers.iter_mut().zip(names) {
                 let letter = Button::new(name).small().frame_when_inactive(false);
-                if ui.add(letter).on_hover_text(VARY).clicked() {
+                if beside_number(ui, letter) {
                     *varied = Some(key.child(name));
                 }
                 number_field(ui, key.last(), number);

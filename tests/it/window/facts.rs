@@ -222,6 +222,8 @@ fn ask(study: &mut Study, probed: bool, rests: bool, desk: &Desk) {
     let subject = Subject {
         name: "default",
         view: View::of(&record.spawn(), SMALL),
+        fit: 1.0,
+        pixel: record.view.pixel_in(SMALL, SMALL[1] as f64),
         record: &Arc::new(record),
         method: None,
         workers: &Workers::alone(Level::new()),
@@ -247,11 +249,10 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
         ask(&mut study, is_probed, false, &desk);
         assert_eq!(works(study), is_probed, "things move");
     }
-    let changes: [(_, fn(&mut Study), _); 5] = [
+    let changes: [(_, fn(&mut Study), _); 4] = [
         (true, |it| it.outdate(Change::Pixel, None), false),
         (false, |it| it.outdate(Change::Shown, None), true),
         (false, |it| it.outdate(Change::Method, None), false),
-        (false, Study::stop_timing, true),
         (false, Study::clear, false),
     ];
     for (is_probed, change, goes_on) in changes {
@@ -281,9 +282,8 @@ fn methods_are_measured_once_and_where_times_are_shown() {
             ..Desk::default()
         };
         ask(&mut study, false, true, &desk);
-        study.stop_timing();
-        // A proof goes on.
-        !works(study)
+        let work = study.work.as_ref();
+        work.is_some_and(|work| work.question == Question::Measure)
     };
     assert!(is_measured(true, false));
     assert!(!is_measured(true, true), "even if that failed");
@@ -317,6 +317,8 @@ fn the_reason_why_a_question_has_no_answer_is_told_once() {
         name: "too large",
         record: &document.state,
         view: View::of(&document.scene.world, [1 << 24; 2]),
+        fit: 1.0,
+        pixel: None,
         method: None,
         workers: canvas.pictures.frame.workers(),
         rests: true,

@@ -3,13 +3,13 @@
 use std::collections::HashSet;
 
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, Pos2, vec2};
+use egui::{Event, Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use shadetrade::components::{
     NormalMode, Orbit, Projection, Segments, ShadingMode, Side, ViewMode,
 };
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::comparison::Comparison;
+use shadetrade::window::comparison::{Comparison, Worst};
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{self, Action};
 
@@ -78,9 +78,10 @@ fn expected(action: Action, before: &SceneRecord, size: [usize; 2]) -> SceneReco
             view.sides = [Side::Picture, Side::Reference];
         }
         Action::Probe(right, down) => {
-            let [x, y] = view.pixel_in(size).expect("the middle");
+            let rows = size[1] as f64;
+            let [x, y] = view.pixel_in(size, rows).expect("the middle");
             let moved = |at: usize, by: i32| at.saturating_add_signed(by as isize);
-            view.set_pixel([moved(x, right), moved(y, down)], size);
+            view.set_pixel([moved(x, right), moved(y, down)], size, rows);
         }
         Action::Orbit(right, up) => {
             record.camera[0].orbit.azimuth = right;
@@ -105,11 +106,13 @@ fn every_key_does_what_its_description_says() {
         window.key(*key, true);
         let blinks = window.app.desk.turn().is_some();
         window.key(*key, false);
-        assert_eq!(
-            window.record(),
-            expected(action, &before, window.app.canvas.size()),
-            "{key:?}"
-        );
+        let mut expected = expected(action, &before, window.app.canvas.size());
+        if action == Action::Worst {
+            let worst = window.comparison().worst.expect("Gouraud errs");
+            assert_eq!(window.app.pixel(), Some(worst.pixel));
+            expected.view.pixel = window.record().view.pixel;
+        }
+        assert_eq!(window.record(), expected, "{key:?}");
         let desk = &window.app.desk;
         for (is_on, own) in [
             (blinks, Action::Blink),
@@ -232,11 +235,46 @@ fn keys_type_into_a_focused_field_and_do_nothing_else() {
 }
 
 #[test]
+fn tab_goes_from_number_to_number_and_a_digit_after_it_is_no_key() {
+    let mut window = Window::open();
+    window.press(Key::E);
+    let harness = widgets(window.app, SIZE);
+    let numbers = harness.get_all_by_role(Role::SpinButton);
+    let numbers = numbers.map(|node| node.rect().center());
+    let place = harness.state().canvas.place;
+    let width = numbers.into_iter().find(|at| at.x > place.max.x);
+    let width = width.expect("the size comes first");
+    let mut window = Window::open();
+    window.press(Key::E);
+    window.step(Vec::new());
+    let lights = window.record().light;
+    window.click(width);
+    let type_digit = |window: &mut Window, key, text: &str| {
+        let press = window.key_event(key, true);
+        window.step(vec![press, Event::Text(text.to_owned())]);
+        window.key(key, false);
+    };
+    type_digit(&mut window, Key::Num6, "6");
+    window.press(Key::Tab);
+    type_digit(&mut window, Key::Num4, "4");
+    window.press(Key::Enter);
+    let size = window.record().cuboid[0].size;
+    assert_eq!([size.x, size.y], [6.0, 4.0]);
+    assert_eq!(window.record().light, lights);
+    // Without a field the key acts again.
+    window.press(Key::Num4);
+    assert_ne!(window.record().light, lights);
+}
+
+#[test]
 fn tab_goes_through_the_widgets_and_scrolls_to_each() {
     let size = [800, 400];
     let mut app = app_with_trade(size);
     app.study.facts.comparison.finish(Some(Comparison {
-        error: Some(165.0),
+        worst: Some(Worst {
+            error: 165.0,
+            pixel: [0; 2],
+        }),
         ..Comparison::default()
     }));
     let mut harness = widgets(app, size);

@@ -171,7 +171,7 @@ fn a_canvas_shows_the_comparison_of_the_present_picture_alone() {
         facts.comparison.finish(Some(Comparison {
             exact: filled(exact),
             error_map: filled(error_map),
-            error: None,
+            ..Comparison::default()
         }));
         let found = |facts: &Facts| {
             let shown = canvas.shown(&state.view, facts, turn);
@@ -238,6 +238,8 @@ fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method(
         name: "default",
         record: &record,
         view: View::of(&record.spawn(), VIEW),
+        fit: 1.0,
+        pixel: Some([32, 24]),
         method: Some(Method::of(Gouraud, 0.5)),
         workers: &Workers::alone(Level::new()),
         rests: false,

@@ -135,3 +135,20 @@ fn a_tag_chooses_the_method_of_its_side() {
     let sides = harness.state().viewer().sides;
     assert_eq!(sides, [Side::gouraud_phong(0.5)[0], Side::Reference]);
 }
+
+#[test]
+fn no_error_of_another_picture_is_shown() {
+    for key in [None, Some(Key::X), Some(Key::ArrowLeft), Some(Key::Period)] {
+        let mut window = open(None);
+        key.into_iter().for_each(|key| window.press(key));
+        let harness = widgets(window.app, SIZE);
+        for words in ["worst pixel", "off by", "levels off"] {
+            let mut shown = harness.query_all_by_label_contains(words);
+            // The band of the chart and the wipe have no number.
+            let is_number = shown.any(|node| format!("{node:?}").contains("165"));
+            assert!(!is_number || key.is_none(), "{key:?}: {words}");
+        }
+        let tags = harness.query_all_by_label_contains("worst pixel").count();
+        assert_eq!(tags, if key.is_none() { 2 } else { 0 }, "{key:?}");
+    }
+}

@@ -1,40 +1,106 @@
 //! Everything in sight: the key for it, what is added, the outline of what is selected, and the terms of the model.
 
-use egui::Key;
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use glam::DVec3;
-use shadetrade::components::{LightKind, View, ViewMode};
+use shadetrade::components::{LightKind, Orbit, ShadingMode, View, ViewMode};
 use shadetrade::scene::unseen::shows_all;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::QUARTERS;
 
-use super::Window;
+use super::{SIZE, Window};
 use crate::support::scene::draw;
 use crate::support::window::{app, default_scene, widgets};
 
-const NARROW: [usize; 2] = [420, 600];
+/// The picture of this window would cut the cuboid off on the left and on the right.
+const NARROW: [usize; 2] = [420, 800];
 
-/// A window that is so narrow that the cuboid is cut on the left and on the right after the camera was moved back.
-fn narrow() -> Window {
-    let mut window = Window::of(default_scene(), NARROW);
-    let first = SceneRecord::of(&default_scene().world);
-    window.app.document.restore(&first);
-    window.step(Vec::new());
-    assert!(!shows(&window));
-    window
-}
-
+/// Whether the picture on screen shows all cuboids.
 fn shows(window: &Window) -> bool {
     let world = &window.app.document.scene.world;
-    shows_all(world, &View::of(world, window.app.canvas.size()))
+    shows_all(world, &window.app.view())
+}
+
+#[test]
+fn a_narrow_picture_shows_everything_and_leaves_the_scene_as_it_is() {
+    let scene = SceneRecord::of(&default_scene().world);
+    let mut window = Window::open();
+    let camera = window.app.view().camera;
+    window.size = NARROW;
+    (0..2).for_each(|_| window.step(Vec::new()));
+    assert!(shows(&window));
+    assert_ne!(window.app.view().camera, camera);
+    assert_eq!(window.record(), scene);
+    window.size = SIZE;
+    (0..2).for_each(|_| window.step(Vec::new()));
+    assert_eq!(window.app.view().camera, camera);
+    let saved = |window: &mut Window| {
+        window.press_with(Modifiers::COMMAND, Key::S);
+        let path = window.folder.path().join("cuboid.toml");
+        std::fs::read_to_string(path).expect("a file")
+    };
+    assert_eq!(saved(&mut window), saved(&mut Window::open()));
+    // A window that opens narrow, too. The camera moves in it without a jump.
+    let mut window = Window::of(default_scene(), NARROW);
+    assert!(shows(&window));
+    assert_eq!(window.record(), scene);
+    let fit = window.app.canvas.fit;
+    for _ in 0..20 {
+        window.press(Key::Plus);
+        assert_eq!(window.app.canvas.fit, fit);
+    }
+    assert!(!shows(&window));
+}
+
+#[test]
+fn a_narrow_picture_explains_the_place_that_a_wide_one_does() {
+    let mut record = SceneRecord::of(&default_scene().world);
+    record.view.pixel = Some([0.1, -0.05]);
+    let places = [SIZE, NARROW].map(|size| {
+        let mut window = Window::of(Scene::spawn("placed".to_owned(), &record), size);
+        let probe = window.app.probed().expect("it is explained");
+        let surface = probe.surface.as_ref().expect("a cuboid");
+        let place = surface.sample.as_ref().expect("it is shaded").position;
+        // A click on the pixel explains the same one.
+        let pixel = window.app.pixel();
+        let at = window.app.canvas.place_of(pixel.expect("it is seen"));
+        window.press(Key::Escape);
+        window.press(Key::Escape);
+        window.click(at);
+        assert_eq!(window.app.pixel(), pixel);
+        place
+    });
+    assert!((places[0] - places[1]).length() < 0.04, "{places:?}");
+}
+
+#[test]
+fn the_facts_of_a_narrow_window_are_those_of_its_picture() {
+    let mut window = Window::of(default_scene(), NARROW);
+    window.press(Key::F5);
+    let exact = window.comparison().exact.clone();
+    let mut world = window.record().spawn();
+    let view = window
+        .app
+        .view()
+        .shaded(ShadingMode::Phong)
+        .with_tolerance(0.0);
+    let drawn = draw(&mut world, &view, Keep::Display);
+    let differ = |(one, other): &(&u32, &u32)| one != other;
+    let differ = exact.iter().zip(drawn.pixels()).filter(differ).count();
+    // Rounding to bytes may differ.
+    assert!(differ < exact.len() / 50, "{differ} of {}", exact.len());
 }
 
 #[test]
 fn home_steps_back_until_all_is_in_sight_and_no_further() {
-    let mut window = narrow();
+    let mut record = SceneRecord::of(&default_scene().world);
+    // Too near for a picture of any width.
+    record.camera[0].fov = 15.0;
+    let mut window = Window::of(Scene::spawn("near".to_owned(), &record), SIZE);
+    assert!(!shows(&window));
     window.press(Key::ArrowLeft);
     window.press(Key::Home);
     assert!(shows(&window));
@@ -48,32 +114,19 @@ fn home_steps_back_until_all_is_in_sight_and_no_further() {
     window.press(Key::G);
     window.press(Key::Home);
     assert_eq!(window.record().camera[0].orbit, orbit);
-}
-
-#[test]
-fn a_narrow_picture_opens_with_all_in_sight_unless_the_camera_was_placed() {
-    let window = Window::of(default_scene(), NARROW);
+    // A narrow window fits what is shown, and the camera stays.
+    let mut window = Window::of(default_scene(), NARROW);
+    window.press(Key::ArrowLeft);
+    window.press(Key::Home);
     assert!(shows(&window));
-    assert!(window.record().camera[0].orbit.zoom > 1.0);
-    assert!(!window.app.document.is_edited());
-    let wide = Window::of(default_scene(), [1240, 600]);
-    assert_eq!(wide.record(), SceneRecord::of(&default_scene().world));
-    let mut resized = wide;
-    resized.size = NARROW;
-    resized.step(Vec::new());
-    resized.step(Vec::new());
-    assert!(shows(&resized));
-    // A saved place is explained where it was.
-    let mut record = SceneRecord::of(&default_scene().world);
-    record.view.pixel = Some([0.1, 0.1]);
-    let placed = Window::of(Scene::spawn("placed".to_owned(), &record), NARROW);
-    assert_eq!(placed.record().camera[0].orbit.zoom, 1.0);
+    assert_eq!(window.record().camera[0].orbit, Orbit::default());
 }
 
 #[test]
 fn what_is_added_is_in_sight() {
     for button in ["copy", "new cuboid"] {
-        let mut harness = widgets(app(default_scene(), [1240, 600], Level::new()), [1240, 600]);
+        // The picture is not narrow, so its camera alone shows it.
+        let mut harness = widgets(app(default_scene(), [1900, 600], Level::new()), [1900, 600]);
         harness.state_mut().desk.tab = Some(Tab::Scene);
         harness.run_ok();
         harness.get_by_label(button).click();

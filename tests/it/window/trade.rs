@@ -3,11 +3,11 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
-use egui::{Key, Pos2, RawInput};
+use egui::{Event, Key, Modifiers, Pos2, RawInput};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Flat, Gouraud, Phong, UnitVectors};
-use shadetrade::components::{Segments, Side, View, ViewMode, common, common_mode};
+use shadetrade::components::{Segments, Side, ViewMode, common, common_mode};
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
 use shadetrade::questions::job::Drawing;
@@ -21,9 +21,10 @@ use shadetrade::questions::trade::verdict::method_name;
 use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::window::app::App;
-use shadetrade::window::comparison::Comparison;
-use shadetrade::window::controls::{choose_method, wipe};
+use shadetrade::window::comparison::{Comparison, Worst};
+use shadetrade::window::controls::{choose_method, show, wipe};
 use shadetrade::window::inspector::Tab;
+use shadetrade::window::keys::Action;
 use shadetrade::window::study::Background;
 
 use super::{FRAME, Window, press};
@@ -170,7 +171,10 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
         window.press(key);
         assert!(!window.app.study.facts.trade.is_current, "{key:?}");
         let old = window.app.study.facts.measured(Method::of(Phong, 1.0));
-        assert!(old.is_some(), "{key:?}");
+        assert_eq!(
+            old, None,
+            "{key:?}: its numbers are not those of this picture"
+        );
     }
     window.app.study.facts.trade.finish(Some(measured()));
     window.size = [430, 190];
@@ -246,10 +250,23 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
 
 /// Steps until `is_done` returns true, for ten minutes at most.
 fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::StepOutput {
+    run_pressing(app, &[], is_done)
+}
+
+/// As [`run`], with these events in each step.
+fn run_pressing(
+    app: &mut App,
+    events: &[Event],
+    is_done: impl Fn(&App) -> bool,
+) -> shadetrade::window::app::StepOutput {
     let start = Instant::now();
     while start.elapsed() < Duration::from_mins(10) {
         let now = app.desk.now + FRAME;
-        let output = app.step(now, [300, 240], RawInput::default());
+        let input = RawInput {
+            events: events.to_vec(),
+            ..RawInput::default()
+        };
+        let output = app.step(now, [300, 240], input);
         let output = output.expect("a small picture fits");
         if is_done(app) {
             return output;
@@ -282,11 +299,11 @@ fn questions_are_answered_row_by_row_without_threads() {
     });
     let facts = &app.study.facts;
     let mut scene = app.document.scene.snapshot();
-    let view = View::of(&scene.world, app.canvas.size());
+    let view = app.view();
     let (level, none) = (Level::new(), Monitor::NONE);
     let rows = view.size[1];
     assert!(steps.get() > 3 * rows, "a piece is a row: {steps:?}");
-    let compared = Comparison::of(&mut scene.world, &view, level, none);
+    let compared = Comparison::of(&mut scene.world, &view, Vec::new(), level, none);
     assert_eq!(facts.comparison.current(), finished(compared).ok().as_ref());
     let proof = prove(&mut scene.world, &view, None, level, none);
     assert_eq!(facts.proof.current(), finished(proof).ok().as_ref());
@@ -332,18 +349,58 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     );
     let shown = app.study.facts.measured(shown).expect("it is measured");
     let mut world = app.document.state.spawn();
-    let view = View::of(&world, app.canvas.size());
+    let view = app.view();
     let compared = finished(Comparison::of(
         &mut world,
         &view,
+        vec![beside],
         Level::new(),
         Monitor::NONE,
     ));
     let compared = compared.expect("it fits");
-    assert_eq!(shown.largest_error(), compared.error);
+    let errors = [
+        shown,
+        app.study.facts.measured(beside).expect("it is measured"),
+    ];
+    let errors = errors.map(|it| it.error.map(Worst::from));
+    assert_eq!(errors, [compared.worst, compared.sides[0].1]);
+    assert_eq!(app.study.facts.comparison.current(), Some(&compared));
     let [low, high] = shown.timing.interval;
     assert!(0.0 < low && low <= shown.timing.median && shown.timing.median <= high);
     assert!(shown.timing.raw.is_empty(), "each layout would copy them");
+}
+
+#[test]
+fn the_worst_pixel_opens_by_itself_once_it_is_known() {
+    for mode in [ViewMode::Picture, ViewMode::Wipe] {
+        let mut app = in_the_background(Background::Threads);
+        show(&mut app.document.scene.world, mode);
+        run(&mut app, |_| true);
+        app.run(Action::Worst);
+        assert_eq!(app.pixel(), None);
+        run(&mut app, |app| app.pixel().is_some());
+        assert_eq!(app.desk.tab, Some(Tab::Pixel));
+        // The picture is that by Gouraud, which in the wipe is on the left and errs more.
+        let comparison = app.study.facts.comparison.current().expect("an answer");
+        let worst = comparison.worst.expect("it errs");
+        assert_eq!(app.pixel(), Some(worst.pixel));
+        assert!(worst.error > 100.0);
+    }
+}
+
+#[test]
+fn keys_that_change_nothing_let_a_measurement_end() {
+    let mut app = in_the_background(Background::Threads);
+    let events = [true, false].map(|pressed| Event::Key {
+        key: Key::H,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    });
+    run_pressing(&mut app, &events, |app| {
+        app.study.facts.trade.current().is_some()
+    });
 }
 
 #[test]
