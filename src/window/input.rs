@@ -251,7 +251,9 @@ mod tests {
         }
         let after = |reports: &[KeyReport]| {
             let mut input = Input::default();
-            reports.iter().for_each(|report| input.report(*report));
+            for report in reports {
+                input.report(*report);
+            }
             input
         };
         let copied = after(&[control, Character('\u{3}')]);

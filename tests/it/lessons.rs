@@ -53,8 +53,16 @@ impl Told {
         let mut world = self.record.spawn();
         let view = View::of(&world, SIZE);
         let level = fearless_simd::Level::new();
-        let compared = finished(Comparison::of(&mut world, &view, level, Monitor::NONE));
-        compared.expect("it fits").error.expect("a cuboid is seen")
+        let none = Vec::new();
+        let compared = finished(Comparison::of(
+            &mut world,
+            &view,
+            none,
+            level,
+            Monitor::NONE,
+        ));
+        let worst = compared.expect("it fits").worst;
+        worst.expect("a cuboid is seen").error
     }
 
     /// The number of squares of each kind.
