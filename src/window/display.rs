@@ -81,14 +81,15 @@ impl Display {
             scale_mode: ScaleMode::UpperLeft,
             ..WindowOptions::default()
         };
+        // It stays until the window is open.
         let screen = x_screen();
-        if let Some(Screen { depth, .. }) = screen
-            && depth != DEPTH
+        if let Some(Screen { depth, .. }) = &screen
+            && *depth != DEPTH
         {
-            return Err(NoWindow::Depth(depth).into());
+            return Err(NoWindow::Depth(*depth).into());
         }
         // A compositor of Wayland scales the window itself.
-        let scale = match screen {
+        let scale = match &screen {
             Some(screen) if !is_set("WAYLAND_DISPLAY") => screen.scale,
             _ => 1.0,
         };

@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::Context;
 use x11rb::connection::Connection;
 use x11rb::protocol::xproto::{AtomEnum, ConnectionExt};
+use x11rb::rust_connection::RustConnection;
 
 use crate::output::Output;
 use crate::output::files::make_folders;
@@ -16,8 +17,10 @@ const MOST: u32 = 1 << 18;
 /// The file of the factor that the user chose with `Ctrl +`, in the folder of the program's state.
 const ZOOM: &str = "zoom";
 
-/// The screen of an X server.
+/// The screen of an X server. It holds a connection: a server without other clients resets once the last one leaves, and refuses
+/// a window that is opened meanwhile.
 pub struct Screen {
+    _connection: RustConnection,
     /// Bits a pixel.
     pub depth: u8,
     /// Pixels in a point of egui.
@@ -32,8 +35,10 @@ pub fn x_screen() -> Option<Screen> {
     let (table, text) = (AtomEnum::RESOURCE_MANAGER, AtomEnum::STRING);
     let asked = connection.get_property(false, screen.root, table, text, 0, MOST);
     let resources = asked.ok()?.reply().ok()?.value;
+    let depth = screen.root_depth;
     Some(Screen {
-        depth: screen.root_depth,
+        _connection: connection,
+        depth,
         scale: scale(&String::from_utf8_lossy(&resources)),
     })
 }
