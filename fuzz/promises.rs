@@ -3,11 +3,11 @@
 use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::{ShadingMode, View};
-use shadetrade::systems::frame::{Frame, Keep, Workers};
-use shadetrade::questions::prove::prove;
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
+use shadetrade::questions::prove::prove;
 use shadetrade::systems;
+use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 /// Proves the picture of `view` in both modes, at its tolerance and exactly.
 ///
