@@ -6,15 +6,14 @@ use shadetrade::components::{ShadingMode, View};
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
 use shadetrade::questions::prove::prove;
-use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
+use shadetrade::reference;
 
-/// Proves the picture of `view` in both modes, at its tolerance and exactly.
+/// Proves the picture of `view` in every mode, at its tolerance and exactly.
 ///
 /// # Panics
 /// If a pixel is refuted, or a level of the assignment's shortcut is undefined.
 pub fn check(world: &mut World, view: &View) {
-    for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
+    for mode in ShadingMode::ALL {
         for tolerance in [view.tolerance, 0.0] {
             let view = view.shaded(mode).with_tolerance(tolerance);
             let proof = finished(prove(world, &view, None, Level::new(), Monitor::NONE));
@@ -22,9 +21,10 @@ pub fn check(world: &mut World, view: &View) {
             assert_eq!(proof.refuted, 0, "{view:?}\n{:?}", proof.examples);
         }
     }
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
     let shortcut = view.shaded(ShadingMode::UnitVectors);
-    systems::draw(world, &shortcut, &mut frame).expect("a small picture fits");
-    let mut levels = frame.levels().as_flattened().iter();
+    let rows = 0..view.size[1];
+    let picture = finished(reference::picture(world, &shortcut, rows, Monitor::NONE));
+    let picture = picture.expect("a small picture fits");
+    let mut levels = picture.levels.as_flattened().iter();
     assert!(!levels.any(|level| level.is_nan()), "{shortcut:?}");
 }

@@ -57,7 +57,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # The model, and four modes
+//! # The model, and its modes
 //!
 //! At a point P with unit normal n, in levels a channel (Phong 1975, "Illumination for Computer Generated Pictures",
 //! Communications of the ACM 18(6)); [`shading::Surface::levels`] evaluates this formula at a point:
@@ -77,8 +77,8 @@
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
 //! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
 //!   w n, w (L - P) and w (O - P) have the directions of n, L - P and O - P;
-//! - [`shading::unit_vectors`], the assignment's shortcut, interpolates unit n, l and o linearly on the screen and does
-//!   not normalise them.
+//! - the assignment's shortcut interpolates unit n, l and o linearly on the screen and does not normalise them. It, and
+//!   Blinn-Phong with four times the exponent (`docs/blinn.md`), are drawn by the reference alone.
 //!
 //! [`questions::probe`] explains one pixel: it evaluates every light's term, and both modes beside the reference.
 //!

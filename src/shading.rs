@@ -61,7 +61,6 @@ pub mod simd;
 pub mod specular;
 pub mod square;
 mod surface;
-pub mod unit_vectors;
 
 pub use self::method::{METHODS, Method, methods};
 pub use self::shader::{Scratch, Shader};

@@ -48,6 +48,10 @@ pub fn draw_with(
     rows: Range<usize>,
     frame: &mut Frame,
 ) -> Result<(), OutOfMemory> {
+    debug_assert!(
+        view.shading.is_none_or(ShadingMode::is_drawn),
+        "the reference draws it"
+    );
     let cuboids = world.query_mut::<&Mesh>().into_iter().count();
     let meshes = world.query_mut::<(&ShadingMode, &Segments)>().into_iter();
     let gouraud = meshes.filter(|(mode, _)| view.mode(**mode) == ShadingMode::Gouraud);

@@ -157,6 +157,10 @@ impl From<Side> for String {
                 ..
             } => "phong-unit-vectors".to_owned(),
             Side::Method {
+                mode: ShadingMode::BlinnPhong,
+                ..
+            } => "blinn-phong".to_owned(),
+            Side::Method {
                 mode: ShadingMode::Flat,
                 ..
             } => "flat".to_owned(),
@@ -200,6 +204,7 @@ impl TryFrom<String> for Side {
             None if text == "picture" => Some(Side::Picture),
             None if text == "reference" => Some(Side::Reference),
             None if text == "flat" => method(ShadingMode::Flat, "0"),
+            Some(("blinn", "phong")) => method(ShadingMode::BlinnPhong, "0"),
             Some(("phong", "unit-vectors")) => method(ShadingMode::UnitVectors, "0"),
             Some(("phong", levels)) => method(ShadingMode::Phong, levels),
             Some(("gouraud", rest)) => gouraud(rest),
@@ -207,7 +212,7 @@ impl TryFrom<String> for Side {
         };
         side.ok_or_else(|| {
             format!(
-                "invalid value: string {text:?}, expected \"picture\", \"reference\", \"flat\", \"phong-unit-vectors\", or \
+                "invalid value: string {text:?}, expected \"picture\", \"reference\", \"flat\", \"blinn-phong\", \"phong-unit-vectors\", or \
                  \"gouraud-\" or \"phong-\" and a tolerance, such as \"phong-0.5\" or \"gouraud-8x8-0.5\""
             )
         })

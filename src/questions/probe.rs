@@ -16,7 +16,7 @@ use crate::components::{
     TriangleId, View, WorldTransform, in_file_order,
 };
 use crate::output::memory::OutOfMemory;
-use crate::reference::{self, LightSample, Sample};
+use crate::reference::{self, LightSample, Reference, Sample};
 use crate::scene::Scene;
 use crate::shading::SquareKind;
 use crate::shading::square::MAX_SIDE;
@@ -128,12 +128,20 @@ pub fn section(
     // Squares lie in strips of this height.
     let top = y / MAX_SIDE * MAX_SIDE;
     let rows = top..(top + MAX_SIDE).min(height);
+    // In a picture of the reference the squares are those of Phong.
+    let is_drawn = view.shading.is_none_or(ShadingMode::is_drawn);
+    let by_reference = (!is_drawn).then(|| Reference::<f64>::new(&scene.world, view));
+    let model = if is_drawn {
+        *view
+    } else {
+        view.shaded(ShadingMode::Phong)
+    };
     let mut draw = |view: &View| {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame)?;
         Ok(frame)
     };
-    let own = draw(view)?;
+    let own = draw(&model)?;
     let gouraud = draw(&view.shaded(ShadingMode::Gouraud))?;
     let phong = draw(&view.shaded(ShadingMode::Phong))?;
     let row = (y - top) * width;
@@ -147,7 +155,7 @@ pub fn section(
     let is_kept =
         |column: &usize| (column - first).is_multiple_of(step) || [x, last].contains(column);
     let columns: Vec<usize> = (first..=last).filter(is_kept).collect();
-    let samples = reference::in_row(&scene.world, view, y, &columns);
+    let samples = reference::in_row(&scene.world, &model, y, &columns);
     let source = |(name, light, transform): (&Name, &Light, Option<&Transform>)| Source {
         name: name.0.clone(),
         light: *light,
@@ -185,7 +193,9 @@ pub fn section(
                 sources: sources.clone(),
                 gouraud: finite(&gouraud, |it| it.gouraud),
                 phong: finite(&phong, |it| it.phong),
-                drawn: levels(&own),
+                drawn: by_reference
+                    .as_ref()
+                    .map_or_else(|| levels(&own), |it| it.at([x, y])[0].levels),
                 mode: view.mode(**mode),
                 tolerance: view.tolerance,
                 kind: SquareKind::ALL[usize::from(own.kinds()[row + x] & !SQUARE_EDGE)],

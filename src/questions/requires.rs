@@ -59,6 +59,9 @@ impl Part {
             Part::Light(_) => "Without it this light is off.",
             Part::Rule(Rule::SpecularGate) => "Without it highlights are seen where n.l <= 0, too.",
             Part::Rule(Rule::DiffuseClamp) => "Without it a light behind a face takes light away.",
+            Part::Rule(Rule::Reflection) => {
+                "Without it every highlight is by n.h, with four times the shininess (Blinn-Phong)."
+            }
             Part::Rule(Rule::UnitNormal) => "Without it interpolated normals are shorter than 1.",
             Part::Rule(Rule::PerspectiveCorrect) => {
                 "Without it all is interpolated linearly on the screen."
@@ -102,7 +105,7 @@ pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
     let phong = cuboids().filter(|(_, it)| it.shading == ShadingMode::Phong);
     let mut parts = Vec::new();
     parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", it.name))));
-    parts.extend([Rule::SpecularGate, Rule::DiffuseClamp].map(rule));
+    parts.extend([Rule::SpecularGate, Rule::DiffuseClamp, Rule::Reflection].map(rule));
     let smooth = || cuboids().filter(|(_, it)| it.normals == NormalMode::Corner);
     if smooth().next().is_some() {
         parts.push(rule(Rule::UnitNormal));

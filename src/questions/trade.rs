@@ -32,7 +32,6 @@ use std::path::Path;
 use self::machine::Machine;
 pub use self::measurement::{Measurement, Report, Request};
 use self::timing::Batch;
-use crate::components::ShadingMode;
 use crate::output::Monitor;
 use crate::output::files;
 use crate::output::progress::with_bar;
@@ -69,7 +68,8 @@ pub async fn measure(
     let methods = request.methods.iter();
     let measured = methods.filter_map(|it| of_method(it).cloned().or_else(|| errors.next()));
     let mut measured: Vec<Measurement> = measured.collect();
-    for (one, timing) in measured.iter_mut().zip(timings) {
+    let timed = measured.iter_mut().filter(|it| is_timed(it.method));
+    for (one, timing) in timed.zip(timings) {
         if timing.samples >= one.timing.samples {
             one.timing = timing;
         }
@@ -81,10 +81,9 @@ pub async fn measure(
     Ok(measured)
 }
 
-/// Whether the time of a method is comparable. The assignment's shortcut is evaluated in f64 by its definition, and not as a
-/// renderer would that saves time by it.
+/// Whether the renderer draws a method, so that its time is comparable.
 pub fn is_timed(method: Method) -> bool {
-    method.mode != ShadingMode::UnitVectors
+    method.mode.is_drawn()
 }
 
 /// Marks the methods on the front. From the fastest on, each of them errs less than all before. A method without an error or

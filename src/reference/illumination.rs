@@ -10,6 +10,8 @@
 //! (Gouraud). Two cases are defined here: a light exactly at the point has no direction and adds nothing, and 0^0 is 1
 //! where n.l > 0.
 
+use std::cmp::Ordering;
+
 use glam::DVec3;
 
 use super::geometry::{CuboidGeometry, FacePoint, across};
@@ -154,6 +156,27 @@ impl<R: Real> ReferenceSurface<R> {
         self.without != Some(Rule::PerspectiveCorrect)
     }
 
+    /// Blinn's factor max(0, n.h)^(4 rho); 0 where l = -o, which has no h.
+    pub fn half_vector_factor(
+        &self,
+        normal: RealVector<R>,
+        to_eye: RealVector<R>,
+        to_light: RealVector<R>,
+    ) -> R {
+        let (zero, one) = (R::of(0.0), R::of(1.0));
+        let sum = to_light + to_eye;
+        let half = sum.unit();
+        let cosine = normal.dot(half);
+        // As of o.r.
+        let cosine = cosine.both(one - (normal - half).length_squared() / R::of(2.0));
+        let factor = cosine.max(zero).min(one).power(4.0 * self.shininess);
+        match sum.length_squared().sign(0.0) {
+            Some(Ordering::Greater) => factor,
+            Some(_) => zero,
+            None => factor.either(zero),
+        }
+    }
+
     /// The factor of a light's levels in the model: 1, max(0, n.l) or the gated max(0, o.r)^rho. `to_light` is l; `if_tied`
     /// opens a tied gate.
     pub fn factor(
@@ -166,6 +189,9 @@ impl<R: Real> ReferenceSurface<R> {
     ) -> R {
         let (zero, one) = (R::of(0.0), R::of(1.0));
         let power = || {
+            if self.without == Some(Rule::Reflection) {
+                return self.half_vector_factor(normal, to_eye, to_light);
+            }
             let reflected = reflection(normal, to_light);
             let cosine = to_eye.dot(reflected);
             let cosine = if self.without == Some(Rule::UnitNormal) {

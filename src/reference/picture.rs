@@ -113,9 +113,11 @@ impl<R: Real> Reference<R> {
                 let solid = CuboidGeometry::new(&sight, transform, mesh, bounds);
                 let places = (sight.eye, transform.position);
                 let mode = view.mode(*mode);
-                // The vectors of the shortcut are as short.
                 let without = match mode {
+                    // The vectors of the shortcut are as short.
                     ShadingMode::UnitVectors => Some(Rule::UnitNormal),
+                    // The definition of Blinn-Phong: Phong without this rule.
+                    ShadingMode::BlinnPhong => Some(Rule::Reflection),
                     _ => without,
                 };
                 ReferenceCuboid {
@@ -279,7 +281,7 @@ impl<R: Real> ReferenceCuboid<R> {
         let differ = match self.mode {
             ShadingMode::Flat => false,
             _ if !self.surface.is_perspective_correct() => true,
-            ShadingMode::Phong => false,
+            ShadingMode::Phong | ShadingMode::BlinnPhong => false,
             ShadingMode::Gouraud => self.segments == 1,
             ShadingMode::UnitVectors => true,
         };
@@ -298,7 +300,8 @@ impl<R: Real> ReferenceCuboid<R> {
             let middle = self.solid.at_share(middle);
             return self.surface.at_vertex(face, &middle, open & 1 == 1);
         }
-        if self.mode == ShadingMode::Phong && self.surface.is_perspective_correct() {
+        let is_phong = matches!(self.mode, ShadingMode::Phong | ShadingMode::BlinnPhong);
+        if is_phong && self.surface.is_perspective_correct() {
             return self.surface.phong(face, place, open);
         }
         let (corners, mut weights) = CuboidGeometry::weights(face, is_first, place.share);

@@ -56,7 +56,7 @@ pub trait Real:
     /// Sine and cosine of an angle in degrees, -90..=90.
     fn sin_cos(degrees: f64) -> [Self; 2];
 
-    /// The number, in 0..=1, to the power of `exponent`, in 0..=1e6. 0^0 is 1.
+    /// The number, in 0..=1, to the power of `exponent`, in 0..=4e6. 0^0 is 1.
     fn power(self, exponent: f64) -> Self;
 
     /// The common value of two expressions: the intersection of their enclosures; of floats the first.

@@ -8,6 +8,10 @@ pub enum Rule {
     SpecularGate,
     /// The diffuse factor is max(0, n.l). Without the rule it is n.l, so a light behind a face takes light away.
     DiffuseClamp,
+    /// A highlight goes with o.r. Without the rule it goes with n.h to four times the power, h = unit(l + o): its factor is
+    /// max(0, n.h)^(4 rho) where n.l > 0, and 0 where l = -o (Blinn 1977, "Models of Light Reflection for Computer
+    /// Synthesized Pictures", SIGGRAPH '77; the factor 4: Fisher and Woo, Graphics Gems IV, 1994).
+    Reflection,
     /// Phong's n is normalised after interpolation. Without the rule n is the affine combination of the unit normals of
     /// the corners, which is shorter than 1 inside a face, and r = 2 (n.l) n - l is no unit vector either. Gouraud is
     /// not affected, because it does not interpolate n; nor are face normals, which are the same all over a face.
@@ -24,9 +28,10 @@ pub enum Rule {
 }
 
 impl Rule {
-    pub const ALL: [Rule; 6] = [
+    pub const ALL: [Rule; 7] = [
         Rule::SpecularGate,
         Rule::DiffuseClamp,
+        Rule::Reflection,
         Rule::UnitNormal,
         Rule::PerspectiveCorrect,
         Rule::DepthTest,
@@ -38,6 +43,7 @@ impl Rule {
         match self {
             Rule::SpecularGate => "specular gate",
             Rule::DiffuseClamp => "diffuse clamp",
+            Rule::Reflection => "every highlight by o.r",
             Rule::UnitNormal => "unit normal",
             Rule::PerspectiveCorrect => "perspective-correct interpolation",
             Rule::DepthTest => "depth test",

@@ -52,6 +52,10 @@ pub struct LightSample {
     pub to_light: Option<DVec3>,
     /// r = 2 (n.l) n - l; `None` if l is.
     pub reflected: Option<DVec3>,
+    /// h = unit(l + o); `None` if l is, or where l = -o.
+    pub half_vector: Option<DVec3>,
+    /// Blinn's max(0, n.h)^(4 rho) where n.l > 0, of a specular light.
+    pub half_vector_factor: Option<f64>,
     /// The factor of its strength at the point: max(0, n.l), max(0, o.r)^rho where n.l > 0, or 1 for an ambient light.
     #[serde(skip)]
     pub factor: f64,
@@ -120,11 +124,16 @@ impl Reference<f64> {
             let is_directed =
                 light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
             let directed = |vector| is_directed.then(|| to_world(vector));
+            let is_lit = normal.dot(to_light) > 0.0;
+            let by_half = || surface.half_vector_factor(normal, to_eye, to_light);
+            let by_half = || if is_lit { by_half() } else { 0.0 };
             LightSample {
                 name: name.clone(),
                 kind: light.kind,
                 to_light: directed(to_light),
                 reflected: directed(reflection(normal, to_light)),
+                half_vector: directed((to_light + to_eye).unit()).filter(|it| *it != DVec3::ZERO),
+                half_vector_factor: (light.kind == LightKind::Specular).then(by_half),
                 factor,
                 vertex_factors,
                 strength: light.levels.to_dvec3(),

@@ -13,7 +13,7 @@ pub struct Method {
     pub mode: ShadingMode,
     /// The segments of Gouraud; `None` leaves each cuboid its own.
     pub segments: Option<Segments>,
-    /// In levels, against the exact evaluation of the same mode and segments. Flat shading is exact.
+    /// In levels, against the exact evaluation of the same mode and segments. Flat shading, and what the reference draws, have none.
     pub tolerance: f64,
 }
 
@@ -25,13 +25,14 @@ impl Method {
 
     /// This mode and these segments within this tolerance; one that is not of [`METHODS`] has no id.
     pub fn with(mode: ShadingMode, segments: Option<Segments>, tolerance: f64) -> Method {
-        let unknown = if mode == ShadingMode::Flat {
-            method("", mode, 0.0)
-        } else {
+        let has_tolerance = matches!(mode, ShadingMode::Gouraud | ShadingMode::Phong);
+        let unknown = if has_tolerance {
             Method {
                 segments,
                 ..method("", mode, tolerance)
             }
+        } else {
+            method("", mode, 0.0)
         };
         let known = METHODS
             .iter()
@@ -91,6 +92,7 @@ pub const METHODS: &[Method] = &[
     grid("gouraud-128x128-0.5", 128),
     grid("gouraud-256x256-0.5", 256),
     method("phong-unit-vectors", ShadingMode::UnitVectors, 0.0),
+    method("blinn-phong", ShadingMode::BlinnPhong, 0.0),
     method("phong-4", ShadingMode::Phong, 4.0),
     method("phong-2", ShadingMode::Phong, 2.0),
     method("phong-1", ShadingMode::Phong, 1.0),

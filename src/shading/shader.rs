@@ -1,6 +1,5 @@
-//! One type for the three shading modes: it prepares squares of a face and evaluates their pixels.
+//! One type for Gouraud and Phong shading: it prepares squares of a face and evaluates their pixels.
 
-use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
@@ -13,7 +12,6 @@ use super::phong::{FaceLight, Phong};
 use super::pixels::Pixels;
 use super::rows::{Pointwise, Rows};
 use super::square::Square;
-use super::unit_vectors::UnitVectors;
 use super::{Counts, SquareKind};
 use crate::shading::simd::{inlined, outlined, two};
 
@@ -21,7 +19,6 @@ use crate::shading::simd::{inlined, outlined, two};
 pub enum Shader<'a> {
     Gouraud(Gouraud<'a>),
     Phong(Phong<'a>),
-    UnitVectors(UnitVectors<'a>),
 }
 
 impl Shader<'_> {
@@ -37,7 +34,6 @@ impl Shader<'_> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.prepare(simd, extents, interpolate),
             Shader::Phong(phong) => phong.prepare(simd, extents, interpolate),
-            Shader::UnitVectors(_) => None,
         }
     }
 
@@ -62,7 +58,7 @@ impl Shader<'_> {
     pub fn rows<S: Simd>(&self, simd: S, square: &Square, index: usize) -> Option<impl Rows<S>> {
         let has_signs = match self {
             Shader::Phong(phong) => phong.has_signs(index),
-            _ => true,
+            Shader::Gouraud(_) => true,
         };
         if !has_signs || !self.in_f32(index) || self.look_up(simd, index).is_some() {
             return None;
@@ -94,7 +90,7 @@ impl Shader<'_> {
     ) -> Option<impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.look_up(simd, index),
-            Shader::Phong(_) | Shader::UnitVectors(_) => None,
+            Shader::Phong(_) => None,
         }
     }
 
@@ -108,7 +104,6 @@ impl Shader<'_> {
                 let [red, green, blue, _] = phong.levels(simd, at, xy);
                 [red, green, blue]
             }
-            Shader::UnitVectors(_) => [f32x16::splat(simd, f32::NAN); 3],
         }
     }
 
@@ -117,7 +112,6 @@ impl Shader<'_> {
         let squares = match self {
             Shader::Gouraud(gouraud) => gouraud.in_f32,
             Shader::Phong(phong) => phong.in_f32,
-            Shader::UnitVectors(_) => 0,
         };
         has(squares, index)
     }
@@ -129,7 +123,6 @@ impl Shader<'_> {
             Shader::Gouraud(_) => (0, 0),
             Shader::Phong(phong) if in_f32 => (1, phong.highlights(index).count()),
             Shader::Phong(phong) => (1, phong.surface.powers()),
-            Shader::UnitVectors(vectors) => (1, vectors.surface.powers()),
         };
         counts.model_evaluations += model * pixels as u64;
         counts.specular_evaluations += (pixels * powers) as u64;
@@ -145,7 +138,6 @@ impl Shader<'_> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.levels_f64(x, y),
             Shader::Phong(phong) => phong.levels_f64(x, y),
-            Shader::UnitVectors(vectors) => vectors.levels_f64(x, y),
         }
     }
 
@@ -154,7 +146,6 @@ impl Shader<'_> {
         match self {
             Shader::Gouraud(gouraud) => gouraud.face,
             Shader::Phong(phong) => phong.face,
-            Shader::UnitVectors(vectors) => vectors.face,
         }
     }
 }
@@ -164,8 +155,6 @@ impl Shader<'_> {
 pub struct Scratch {
     /// The lights that reach the face.
     pub lights: Vec<FaceLight>,
-    /// For [`UnitVectors`] the directions from the corners of the face to all lights.
-    pub to_lights: Vec<[DVec3; 4]>,
     /// For [`Gouraud`] with several segments.
     pub cells: GridSquares,
     pub pixels: Pixels,

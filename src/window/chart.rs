@@ -26,7 +26,7 @@ use crate::output::words::capital;
 use crate::questions::trade::plot::{FLOOR, place_of, vertices};
 use crate::questions::trade::timing::clock_step;
 use crate::questions::trade::verdict::{UNSEEN, method_name, sentence};
-use crate::questions::trade::{Measurement, front};
+use crate::questions::trade::{Measurement, front, is_timed};
 use crate::shading::Method;
 
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
@@ -37,7 +37,7 @@ const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
                        the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
                        line the budget. A click on a dot chooses its method. Below half \
-                       a level no displayed value changes by more than one of 255, above one level some do. A paler dot is beaten by another method. Frames are drawn by all cores, or as many as --threads says; `trade` \
+                       a level no displayed value changes by more than one of 255, above one level some do. A paler dot is beaten by another method; one at the right edge is not timed. Frames are drawn by all cores, or as many as --threads says; `trade` \
                        uses one.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
@@ -55,9 +55,14 @@ fn logarithms((time, error): (f64, f64)) -> [f64; 2] {
     [time.max(1e-6).log10(), error.log10()]
 }
 
+/// The time at which methods that are not timed are shown: right of all others.
+fn side(known: &[Measurement]) -> f64 {
+    2.0 * known.iter().map(|it| it.timing.median).fold(0.0, f64::max)
+}
+
 /// The place of a method's dot.
-fn place(one: &Measurement) -> [f64; 2] {
-    logarithms(place_of(one))
+fn place(one: &Measurement, side: f64) -> [f64; 2] {
+    logarithms(place_of(one, side))
 }
 
 /// Shows the measured methods of this view. A click or Enter on a dot chooses one.
@@ -115,7 +120,7 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
         write(room.right_top(), Align2::RIGHT_TOP, BAND, Color32::GRAY);
     }
     for one in &known {
-        let place = PlotPoint::from(place(one));
+        let place = PlotPoint::from(place(one, side(&known)));
         let at = shown.transform.position_from_point(&place);
         if dot(ui, one, at) {
             choose_method(world, one.method);
@@ -164,8 +169,13 @@ fn dot(ui: &Ui, one: &Measurement, at: Pos2) -> bool {
         let line = (1.0, Color32::WHITE);
         ui.painter().circle_stroke(at, DOT + 2.0, line);
     }
-    let [time, error] = [one.timing.median, one.largest_error().unwrap_or_default()].map(short);
-    let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
+    let error = short(one.largest_error());
+    let time = if is_timed(one.method) {
+        format!("{} ms", short(one.timing.median))
+    } else {
+        "not timed".to_owned()
+    };
+    let text = format!("{}: {time}, off by {error} of 255", capital(&name));
     response.on_hover_text(text).clicked()
 }
 
@@ -200,6 +210,7 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
         let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
     };
+    let place = |one| place(one, side(known));
     let front: Vec<[f64; 2]> = front(known).into_iter().map(place).collect();
     let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
     let staircase = front.windows(2).flat_map(step).collect();
@@ -210,9 +221,10 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
         let ink = mode_ink(one.method.mode);
         let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });
         let [_, y] = place(one);
-        let interval = one.timing.interval;
-        let whisker = interval.map(|time| [logarithms((time, 1.0))[0], y]);
-        plot.line(line(whisker.to_vec(), ink));
+        if is_timed(one.method) {
+            let ends = one.timing.interval.map(|time| logarithms((time, 1.0))[0]);
+            plot.line(line(ends.map(|end| [end, y]).to_vec(), ink));
+        }
         let dot = Points::new("", vec![place(one)]).radius(DOT).color(ink);
         plot.points(dot.allow_hover(false));
     }

@@ -87,8 +87,14 @@ impl Comparison {
             let phong = view.shaded(ShadingMode::Phong);
             let exact = reference::picture(world, &phong, rows.clone(), monitor).await?;
             for (method, worst) in &mut sides {
-                systems::draw_rows(world, &method.view(view), rows.clone(), &mut frame)?;
-                let error = compare(Picture::from(&frame), Picture::from(&exact)).error;
+                let (view, compared) = (&method.view(view), Picture::from(&exact));
+                let error = if method.mode.is_drawn() {
+                    systems::draw_rows(world, view, rows.clone(), &mut frame)?;
+                    compare(Picture::from(&frame), compared).error
+                } else {
+                    let shown = reference::picture(world, view, rows.clone(), monitor).await?;
+                    compare(Picture::from(&shown), compared).error
+                };
                 *worst = worse(*worst, error, rows.start);
             }
             systems::draw_rows(world, view, rows.clone(), &mut frame)?;

@@ -70,9 +70,9 @@ pub fn step_segments(world: &mut World, steps: i32) -> Option<String> {
     None
 }
 
-/// Shades every cuboid by a method. Interpolated unit vectors are no shading mode of scenes: a wipe compares them.
+/// Shades every cuboid by a method. One that the reference draws is no shading mode of scenes: a wipe compares it.
 pub fn choose_method(world: &mut World, method: Method) {
-    if method.mode == ShadingMode::UnitVectors {
+    if !method.mode.is_drawn() {
         return wipe(world, [Side::from(method), Side::Picture]);
     }
     shade(world, method.mode);
@@ -117,7 +117,7 @@ pub fn set_tolerance(world: &mut World, levels: f64) {
             mode, tolerance, ..
         } = side
             && *tolerance == before
-            && !matches!(mode, ShadingMode::Flat | ShadingMode::UnitVectors)
+            && matches!(mode, ShadingMode::Gouraud | ShadingMode::Phong)
         {
             *tolerance = levels;
         }

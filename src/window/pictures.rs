@@ -7,13 +7,15 @@ use std::borrow::Cow;
 
 use fearless_simd::Level;
 use hecs::World;
+use rayon::prelude::*;
 use web_time::Instant;
 
 use crate::components::{Light, LightKind, ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
 use crate::output::memory::{self, OutOfMemory};
+use crate::reference::Reference;
 use crate::shading::{Method, SquareKind};
 use crate::systems;
-use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers};
+use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers, display_pixel};
 
 /// The weight of a square's tint, of 256, and that on its outline.
 const TINT_WEIGHT: u32 = 168;
@@ -74,8 +76,12 @@ impl Pictures {
                 let view = side_view(side, view);
                 memory::clear(pixels, view.map_or(0, |it| it.size[0] * it.size[1]));
                 if let Some(view) = view {
-                    systems::draw(world, &view, &mut self.frame)?;
-                    pixels.extend_from_slice(self.frame.pixels());
+                    if view.shading.is_none_or(ShadingMode::is_drawn) {
+                        systems::draw(world, &view, &mut self.frame)?;
+                        pixels.extend_from_slice(self.frame.pixels());
+                    } else {
+                        draw_by_reference(world, &view, pixels);
+                    }
                 }
             }
             return Ok(());
@@ -100,6 +106,17 @@ impl Pictures {
         tint(&mut pixels, self.levels.kinds(), self.levels.triangles());
         pixels
     }
+}
+
+/// Appends the picture of the reference in f64.
+fn draw_by_reference(world: &World, view: &View, pixels: &mut Vec<u32>) {
+    let reference = Reference::<f64>::new(world, view);
+    let row = |y| {
+        let mut row = Vec::new();
+        reference.row(y, |_, seen| row.push(display_pixel(seen[0].levels)));
+        row
+    };
+    pixels.par_extend((0..view.size[1]).into_par_iter().flat_map_iter(row));
 }
 
 /// The kinds of lights whose terms a quarter of the picture shows, row by row from the top; `None` is their sum.

@@ -22,7 +22,7 @@ use crate::questions::prove::prove;
 use crate::questions::requires::segments::fewest_segments;
 use crate::questions::requires::{more_changes, picture_without};
 use crate::questions::trade::batch::time_here;
-use crate::questions::trade::{Request, is_timed, measure};
+use crate::questions::trade::{Request, measure};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{Method, methods};
 use crate::systems::frame::Workers;
@@ -387,10 +387,8 @@ pub fn shows_exact(viewer: &Viewer) -> bool {
 
 /// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
 fn wanted_methods(subject: &Subject) -> Vec<Method> {
-    // The frames of the other one take so long that they would delay a key.
     let own = subject.record.cuboid.iter().map(|it| it.segments);
-    let timed = methods(alike(own)).filter(|it| is_timed(*it));
-    let mut methods: Vec<Method> = timed.collect();
+    let mut methods: Vec<Method> = methods(alike(own)).collect();
     for method in subject.method.into_iter().chain(side_methods(subject)) {
         if !methods.contains(&method) {
             methods.push(method);

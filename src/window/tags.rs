@@ -10,6 +10,7 @@ use super::widgets::{INK, short};
 use super::words::about;
 use crate::components::{ShadingMode, Side, viewer, viewer_mut};
 use crate::output::words::capital;
+use crate::questions::trade::is_timed;
 use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, Method};
 
@@ -39,6 +40,10 @@ pub fn side_says(side: &Side) -> &'static str {
             mode: ShadingMode::Flat,
             ..
         } => "One colour for the whole face, lit at its middle.",
+        Side::Method {
+            mode: ShadingMode::BlinnPhong,
+            ..
+        } => "Phong by n.h in place of o.r, h between l and o, with four times the shininess.",
         Side::Method { tolerance: 0.0, .. } => {
             "This program's renderer at tolerance 0: each pixel is evaluated, in f32."
         }
@@ -110,10 +115,14 @@ fn price_rows(
         return false;
     };
     let price = facts.measured(method);
-    if let Some(price) = price {
-        ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
-    } else if is_measured {
-        ui.weak("measuring");
+    match price {
+        Some(price) if is_timed(method) => {
+            ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
+        }
+        None if is_measured => {
+            ui.weak("measuring");
+        }
+        _ => {}
     }
     if let Some(kept) = price.and_then(|it| it.highlight_kept) {
         let text = format!("highlight kept {:.0} %", 100.0 * kept);

@@ -1,5 +1,6 @@
 //! Every test that needs no display, as one program, so that the crate is linked once.
 
+mod blinn;
 mod cameras;
 mod certificate;
 

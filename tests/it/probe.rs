@@ -50,13 +50,22 @@ fn the_vectors_meet_their_definitions() {
     assert!((normal - along.normalize()).length() < 1e-12);
     assert!((to_eye - away.normalize()).length() < 1e-12);
     for light in probe["lights"].as_array().expect("a list") {
-        assert_eq!(keys(light), "name kind to_light reflected");
+        let of_light = "name kind to_light reflected half_vector half_vector_factor";
+        assert_eq!(keys(light), of_light);
         if light["kind"] == "ambient" {
             assert!(light["to_light"].is_null() && light["reflected"].is_null());
             continue;
         }
         let (l, r) = (triple(&light["to_light"]), triple(&light["reflected"]));
         assert!((r - (2.0 * normal.dot(l) * normal - l)).length() < 1e-12);
+        let h = triple(&light["half_vector"]);
+        assert!((h - (l + to_eye).normalize()).length() < 1e-12);
+        if let Some(factor) = light["half_vector_factor"].as_f64() {
+            let expected = normal.dot(h).powf(4.0 * 76.8);
+            assert!((factor - expected).abs() < 1e-9, "{factor}, not {expected}");
+        } else {
+            assert_eq!(light["kind"], "diffuse");
+        }
     }
 }
 

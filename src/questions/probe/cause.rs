@@ -14,11 +14,11 @@ const OUTSIDE: f64 = 0.1;
 
 impl ProbedSurface {
     /// The channel in which a shortcut and exact Phong differ most, and their difference in displayed levels. The
-    /// shortcut is the picture's if it is flat or has unit vectors, else Gouraud's. `None` if the reference sees another face.
+    /// shortcut is the picture's if it is flat or by the reference, else Gouraud's. `None` if the reference sees another face.
     pub fn error(&self) -> Option<(usize, f64)> {
         let sample = self.sample.as_ref()?;
         let shortcut = match self.mode {
-            ShadingMode::Flat | ShadingMode::UnitVectors => self.drawn,
+            ShadingMode::Flat | ShadingMode::UnitVectors | ShadingMode::BlinnPhong => self.drawn,
             _ => sample.gouraud.to_array(),
         };
         let phong = sample.phong.to_array().map(displayed);
@@ -41,6 +41,12 @@ impl ProbedSurface {
             return Some([
                 format!("{cause}: {drawn} instead of {exact} in {color}."),
                 "The model is evaluated at its middle.".to_owned(),
+            ]);
+        }
+        if self.mode == ShadingMode::BlinnPhong {
+            return Some([
+                format!("Blinn-Phong shows {drawn} instead of {exact} in {color}."),
+                "Its highlight goes with n.h in place of o.r.".to_owned(),
             ]);
         }
         if self.mode == ShadingMode::UnitVectors {

@@ -130,6 +130,12 @@ impl Page {
             self.vector("r", r);
             self.result("o.r", sample.to_eye.dot(r));
             self.result(&format!("max(0, o.r)^{shininess}"), light.factor);
+            if let (Some(h), Some(factor)) = (light.half_vector, light.half_vector_factor) {
+                self.say("Blinn-Phong: h = l + o, to length 1");
+                self.vector("h", h);
+                self.result("n.h", sample.normal.dot(h));
+                self.result(&format!("max(0, n.h)^{}", 4.0 * shininess), factor);
+            }
         }
     }
 

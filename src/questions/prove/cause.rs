@@ -4,7 +4,7 @@
 use hecs::World;
 
 use super::{Shown, Verdict, judge};
-use crate::components::{NormalMode, View};
+use crate::components::{NormalMode, ShadingMode, View};
 use crate::output::progress::bands;
 use crate::output::{Monitor, one_line};
 use crate::reference::{Interval, Reference, Rule};
@@ -56,12 +56,16 @@ pub async fn causes(
             causes.push(format!("it is right once {names} are exchanged"));
         }
     }
-    let mut modes = METHODS.to_vec();
+    let (mut modes, mut rules) = (METHODS.to_vec(), Rule::ALL.to_vec());
     modes.dedup_by_key(|method| method.mode);
     for method in modes {
         if is_proven(world, &view.shaded(method.mode), None, picture, monitor).await? {
             let name = method.id.trim_end_matches("-0");
             causes.push(format!("it is the picture of {name}"));
+            if method.mode == ShadingMode::BlinnPhong {
+                // Phong without this rule is the same picture.
+                rules.retain(|rule| *rule != Rule::Reflection);
+            }
         }
     }
     for normals in NormalMode::ALL {
@@ -80,7 +84,7 @@ pub async fn causes(
             causes.push(format!("it is the picture without light {name}"));
         }
     }
-    for rule in Rule::ALL {
+    for rule in rules {
         if is_proven(world, view, Some(rule), picture, monitor).await? {
             let name = rule.name();
             causes.push(format!("it is the picture without {name}"));

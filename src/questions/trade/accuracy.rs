@@ -12,6 +12,7 @@ use std::collections::{HashMap, HashSet};
 use anyhow::Context;
 use glam::DVec3;
 
+use super::is_timed;
 use super::measurement::{Measurement, Request};
 use super::timing::Timing;
 use crate::components::{Light, LightKind, ShadingMode, View};
@@ -22,10 +23,10 @@ use crate::reference;
 use crate::scene::Scene;
 use crate::shading::Method;
 use crate::systems;
-use crate::systems::frame::{Frame, Keep, Workers, display_step};
+use crate::systems::frame::{Counts, Frame, Keep, Workers, display_step};
 
-/// The most bytes for a pixel: a reference picture, a frame, and a list of errors.
-const BYTES: usize = 28 + 17 + 8;
+/// The most bytes for a pixel: four reference pictures, a frame, and a list of errors.
+const BYTES: usize = 4 * 28 + 17 + 8;
 /// The bytes that a report adds: three reference pictures.
 const BYTES_OF_REPORT: usize = 3 * 28;
 
@@ -50,7 +51,7 @@ pub async fn errors(
     let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor).await?;
     let own_modes = methods.iter().filter(|it| it.segments.is_none());
     let own_modes = own_modes.map(|method| method.mode);
-    let own_modes = own_modes.filter(|_| request.is_report);
+    let own_modes = own_modes.filter(|mode| request.is_report || !mode.is_drawn());
     let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
     let mut truths = HashMap::new();
     for mode in modes {
@@ -63,9 +64,19 @@ pub async fn errors(
     for (method, highlight_kept) in methods.iter().zip(shares_kept) {
         monitor.check()?;
         monitor.rest().await;
-        systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
-        let drawn = Picture::from(&frame);
-        let difference = compare(drawn, exact);
+        let mut counts = Counts::default();
+        if is_timed(*method) {
+            systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
+            counts = frame.counts();
+        }
+        let against = |other| {
+            if is_timed(*method) {
+                compare(Picture::from(&frame), other)
+            } else {
+                compare(Picture::from(&truths[&method.mode]), other)
+            }
+        };
+        let difference = against(exact);
         let mut own_error = None;
         if request.is_report {
             let rows = 0..view.size[1];
@@ -75,14 +86,14 @@ pub async fn errors(
                     &reference::picture(&scene.world, &method.view(view), rows, monitor).await?
                 }
             };
-            own_error = compare(drawn, Picture::from(own)).error;
+            own_error = against(Picture::from(own)).error;
         }
         measured.push(Measurement {
             method: *method,
             threads: request.drawing.threads,
             timing: Timing::default(),
             ns_per_covered_pixel: None,
-            counts: frame.counts(),
+            counts,
             error: difference.error,
             own_error,
             edge_pixels: difference.edge_pixels,
@@ -116,18 +127,29 @@ async fn highlight_kept(
     for method in methods {
         monitor.check()?;
         monitor.rest().await;
-        systems::draw(&mut specular.world, &method.view(&dark), frame)?;
-        shares.push(share_kept(frame.levels(), &highlight.levels));
+        let kept = if is_timed(*method) {
+            systems::draw(&mut specular.world, &method.view(&dark), frame)?;
+            share_kept(frame.levels().iter().copied(), &highlight.levels)
+        } else {
+            let view = method.view(&dark);
+            let kept = reference::picture(&specular.world, &view, 0..view.size[1], monitor).await?;
+            let kept = kept
+                .levels
+                .into_iter()
+                .map(|it| it.map(|level| level as f32));
+            share_kept(kept, &highlight.levels)
+        };
+        shares.push(kept);
     }
     Ok(shares)
 }
 
 /// The displayed light that both pictures show at the same pixel and channel, as a share of all that `whole` shows, 0..=1;
 /// `None` if it shows none.
-pub fn share_kept(kept: &[[f32; 3]], whole: &[[f64; 3]]) -> Option<f64> {
+pub fn share_kept(kept: impl Iterator<Item = [f32; 3]>, whole: &[[f64; 3]]) -> Option<f64> {
     let (mut common, mut all) = (0, 0);
-    for (kept, whole) in kept.as_flattened().iter().zip(whole.as_flattened()) {
-        let [kept, whole] = [f64::from(*kept), *whole].map(|it| u64::from(display_step(it)));
+    for (kept, whole) in kept.flatten().zip(whole.as_flattened()) {
+        let [kept, whole] = [f64::from(kept), *whole].map(|it| u64::from(display_step(it)));
         common += kept.min(whole);
         all += whole;
     }

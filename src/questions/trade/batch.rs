@@ -50,7 +50,7 @@ pub async fn time_here(
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Batch> {
     let view = request.drawing.view();
-    let views: Vec<_> = request.methods.iter().map(|it| it.view(&view)).collect();
+    let views: Vec<_> = request.timed().map(|it| it.view(&view)).collect();
     let mut frame = Frame::new(Keep::Display, request.drawing.workers()?);
     let mut scene = request.drawing.scene.snapshot();
     let draw = |method: usize| {
@@ -75,7 +75,7 @@ pub async fn time_in_a_process(
         size: drawing.size,
         threads: drawing.threads,
         simd: simd::name(drawing.level).to_owned(),
-        methods: request.methods.iter().map(|it| it.id.to_owned()).collect(),
+        methods: request.timed().map(|it| it.id.to_owned()).collect(),
         time: request.time,
         number,
     };

@@ -1,9 +1,9 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
+use super::is_timed;
 use super::measurement::{Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
-use crate::components::ShadingMode;
 use crate::output::one_line;
 use crate::output::tables::{self, aligned, wrapped};
 use crate::output::words::{counted, interval, short};
@@ -13,14 +13,25 @@ type Column = (&'static str, fn(&Measurement) -> String);
 
 const COLUMNS: [Column; 6] = [
     ("method", |one| one.method.id.to_owned()),
-    ("ms a frame", |one| short(one.timing.median)),
-    (RANGE, |one| interval(one.timing.interval, short)),
+    ("ms a frame", |one| timed(one, short(one.timing.median))),
+    (RANGE, |one| {
+        timed(one, interval(one.timing.interval, short))
+    }),
     ("largest error", |one| short(one.largest_error())),
     ("highlight kept", |one| percent(one.highlight_kept)),
     ("best trade", |one| {
         if one.on_front { "yes" } else { "" }.to_owned()
     }),
 ];
+
+/// A time, or a dash where none was measured.
+fn timed(one: &Measurement, text: String) -> String {
+    if one.timing.samples > 0 {
+        text
+    } else {
+        "-".to_owned()
+    }
+}
 
 /// A batch of a report is a run of a process of its own.
 const RANGE: &str = "range of 8 runs";
@@ -92,11 +103,10 @@ pub fn place(report: &Report) -> String {
 }
 
 fn legend(report: &Report) -> String {
-    let mut modes = report.methods.iter().map(|one| one.method.mode);
-    let note = if modes.any(|mode| mode == ShadingMode::UnitVectors) {
-        " phong-unit-vectors is evaluated in f64 by its definition: its time is not comparable."
-    } else {
+    let note = if report.methods.iter().all(|it| is_timed(it.method)) {
         ""
+    } else {
+        " Without a time: evaluated in f64 by its definition."
     };
     format!(
         "A level is 1/255 of full brightness. ms a frame: the median time of a whole frame; {RANGE}: the least and the \

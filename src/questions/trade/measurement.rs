@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
+use super::is_timed;
 use super::machine::Machine;
 use super::timing::Timing;
 use crate::components::Projection;
@@ -21,6 +22,13 @@ pub struct Request {
     pub time: Duration,
     /// Whether `own_error` is found, which only a report shows.
     pub is_report: bool,
+}
+
+impl Request {
+    /// The methods whose frames are timed.
+    pub fn timed(&self) -> impl Iterator<Item = &Method> {
+        self.methods.iter().filter(|it| is_timed(**it))
+    }
 }
 
 /// A measurement of methods, with the view and the machine: enough to judge the times and to repeat it.
@@ -47,8 +55,8 @@ pub struct Measurement {
     pub method: Method,
     /// The threads that drew.
     pub threads: usize,
-    /// Milliseconds of a whole warm frame.
-    #[serde(rename = "ms")]
+    /// Milliseconds of a whole warm frame; no samples, and `null` in JSON, of what the reference draws.
+    #[serde(rename = "ms", serialize_with = "null_if_empty")]
     pub timing: Timing,
     /// Nanoseconds of a frame for each covered pixel; `None` if there is none.
     pub ns_per_covered_pixel: Option<f64>,
@@ -64,6 +72,10 @@ pub struct Measurement {
     pub highlight_kept: Option<f64>,
     /// Whether it is a best trade: no other method beats it ([`super`]).
     pub on_front: bool,
+}
+
+fn null_if_empty<S: Serializer>(timing: &Timing, serializer: S) -> Result<S::Ok, S::Error> {
+    (timing.samples > 0).then_some(timing).serialize(serializer)
 }
 
 impl Measurement {

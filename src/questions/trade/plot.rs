@@ -13,11 +13,11 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::export::{place, subject};
-use super::front;
 use super::measurement::{Measurement, Report};
 use super::verdict::UNSEEN;
+use super::{front, is_timed};
 use crate::components::ShadingMode;
-use crate::output::chart::{self, Area, BLUE, FAINT, GREEN, ORANGE, PURPLE};
+use crate::output::chart::{self, Area, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE};
 
 /// The least error with a place of its own, in levels.
 pub const FLOOR: f64 = 1e-3;
@@ -26,10 +26,14 @@ const ERRORS: Range<f64> = 5e-4..500.0;
 
 const SIZE: (u32, u32) = (960, 600);
 
-/// The place of a method: milliseconds of a frame, and levels.
-pub fn place_of(one: &Measurement) -> (f64, f64) {
-    let error = one.largest_error().unwrap_or_default();
-    (one.timing.median, error.max(FLOOR))
+/// The place of a method: milliseconds of a frame, and levels. What is not timed lies at the `side`.
+pub fn place_of(one: &Measurement, side: f64) -> (f64, f64) {
+    let time = if is_timed(one.method) {
+        one.timing.median
+    } else {
+        side
+    };
+    (time, one.largest_error().unwrap_or_default().max(FLOOR))
 }
 
 /// Gouraud within half a level, with ever more vertices.
@@ -48,6 +52,7 @@ fn color(mode: ShadingMode) -> RGBColor {
         ShadingMode::Gouraud => ORANGE,
         ShadingMode::Phong => GREEN,
         ShadingMode::UnitVectors => PURPLE,
+        ShadingMode::BlinnPhong => INK,
     }
 }
 
@@ -56,13 +61,14 @@ fn color(mode: ShadingMode) -> RGBColor {
 /// # Errors
 /// The plotting library gives none in practice.
 pub fn svg(report: &Report) -> anyhow::Result<String> {
-    let has_place = |it: &&Measurement| it.error.is_some() && it.timing.median > 0.0;
+    let has_place =
+        |it: &&Measurement| it.error.is_some() && (it.timing.median > 0.0 || !is_timed(it.method));
     let methods: Vec<_> = report.methods.iter().filter(has_place).collect();
     let key = if methods.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
         "Filled: a best trade; the grey line joins them. Orange line: Gouraud with more and more vertices. Bar: the range \
-         of times. An error below 0.001 is drawn at 0.001."
+         of times. An error below 0.001 is drawn at 0.001. At the right edge: not timed."
     };
     chart::svg(SIZE, |area| {
         let title = "The cost and the error of each shading method";
@@ -76,10 +82,11 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
 
 /// Draws axes, front, points and labels.
 fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
-    let times = methods.iter().map(|one| one.timing.median);
-    let least = times.clone().fold(f64::INFINITY, f64::min);
+    let times = methods.iter().filter(|it| is_timed(it.method));
+    let times = times.map(|it| it.timing.median);
+    let least = times.clone().reduce(f64::min).unwrap_or(1.0);
     // Room for labels.
-    let times = least / 1.5..times.fold(0.0, f64::max) * 1.5;
+    let times = least / 1.5..times.fold(least, f64::max) * 2.0;
     let axes = [
         ("time: ms a frame", times.clone()),
         ("largest error against exact Phong: levels of 255", ERRORS),
@@ -87,11 +94,12 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
     let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes)?;
     let line = front_line(methods, times.end);
     chart.draw_series([PathElement::new(line, FAINT.stroke_width(2))])?;
-    let curve = vertices(methods.iter().copied()).into_iter().map(place_of);
+    let curve = vertices(methods.iter().copied()).into_iter();
+    let curve = curve.map(|it| place_of(it, times.end));
     let line = color(ShadingMode::Gouraud).mix(0.5).stroke_width(1);
     chart.draw_series([PathElement::new(curve.collect::<Vec<_>>(), line)])?;
-    for one in methods {
-        let (_, error) = place_of(one);
+    for one in methods.iter().filter(|it| is_timed(it.method)) {
+        let (_, error) = place_of(one, times.end);
         let within = |end: f64| (end.clamp(times.start, times.end), error);
         let ends = one.timing.interval.map(within);
         let line = color(one.method.mode).stroke_width(1);
@@ -101,7 +109,10 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
     let columns = plot.get_pixel_range().0;
     let mut taken = Vec::new();
     for one in methods {
-        let (at, color) = (plot.map_coordinate(&place_of(one)), color(one.method.mode));
+        let (at, color) = (
+            plot.map_coordinate(&place_of(one, times.end)),
+            color(one.method.mode),
+        );
         let label = label(one, at, &columns, &taken);
         let style = ("monospace", chart::font(LABEL)).into_font().color(&color);
         area.draw_text(one.method.id, &style, (label[0], label[2]))?;
@@ -116,7 +127,7 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
 /// The left, right and upper edge of a point's label, within these `columns`.
 ///
 /// On the front a label is below its point, to the left: a point there would beat this one. Other labels are above their
-/// points, to the right. A label that would cover one of the `taken` places moves further from its point.
+/// points, to the right, or to the left at the right edge. A label that would cover one of the `taken` places moves further from its point.
 fn label(
     one: &Measurement,
     (x, y): (i32, i32),
@@ -126,10 +137,12 @@ fn label(
     // The letters of a monospaced font are 0.6 times as wide as high.
     let width = (0.6 * LABEL * one.method.id.len() as f64).ceil() as i32 + 4;
     let height = (1.25 * LABEL) as i32;
-    let (left, mut top, step) = if one.on_front {
-        (x - width - 4, y + 4, 1)
+    let is_left = one.on_front || !is_timed(one.method);
+    let left = if is_left { x - width - 4 } else { x + 6 };
+    let (mut top, step) = if one.on_front {
+        (y + 4, 1)
     } else {
-        (x + 6, y - 4 - height, -1)
+        (y - 4 - height, -1)
     };
     let left = left.min(columns.end - width).max(columns.start + 2);
     let right = left + width;
@@ -152,7 +165,10 @@ fn front_line(methods: &[&Measurement], end: f64) -> Vec<(f64, f64)> {
     let mut least = ERRORS.end;
     let mut line = Vec::new();
     // Of two best trades the slower errs less.
-    for (time, error) in front(methods.iter().copied()).into_iter().map(place_of) {
+    for (time, error) in front(methods.iter().copied())
+        .into_iter()
+        .map(|it| place_of(it, end))
+    {
         line.extend([(time, least), (time, error)]);
         least = error;
     }

@@ -2,9 +2,10 @@
 //!
 //! Every word follows from a measured number.
 
+use super::is_timed;
 use super::measurement::Measurement;
 use crate::components::Segments;
-use crate::components::ShadingMode::{Flat, Gouraud, Phong, UnitVectors};
+use crate::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
 use crate::output::words::{capital, counted, pace, short};
 use crate::shading::Method;
 
@@ -64,8 +65,7 @@ fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String
     let mut rivals = [half, exact].into_iter().flatten();
     let rival = rivals.find(|it| it.method != shown.method);
     Some(match rival {
-        // The shortcut is evaluated by its definition, so its time is not that of a renderer that uses it.
-        Some(rival) if shown.method.mode != UnitVectors => {
+        Some(rival) if is_timed(shown.method) => {
             let pace = pace(shown.timing.interval, rival.timing.interval);
             format!("{name}: {pace} {}, {error}.", method_name(rival.method))
         }
@@ -81,6 +81,7 @@ pub fn method_name(method: Method) -> String {
     }
     match (method.mode, method.tolerance) {
         (Flat, _) => "flat shading".to_owned(),
+        (BlinnPhong, _) => "Blinn-Phong with four times the shininess".to_owned(),
         (UnitVectors, _) => "interpolated unit vectors".to_owned(),
         (Gouraud, 0.0) => "exact Gouraud".to_owned(),
         // Its tolerance is against itself, and says nothing about its error against Phong.

@@ -2,7 +2,6 @@
 
 use super::curve::Curve;
 use super::{Panel, Report};
-use crate::components::ShadingMode;
 use crate::output::tables::{aligned, wrapped};
 use crate::output::words::{capital, rounded, short};
 use crate::questions::trade::verdict::method_name;
@@ -25,7 +24,7 @@ pub fn number(value: f64) -> String {
 /// The name of a contender in a sentence.
 fn name(id: &str) -> String {
     let mut methods = METHODS.iter();
-    let method = methods.find(|it| it.id == id && it.mode != ShadingMode::UnitVectors);
+    let method = methods.find(|it| it.id == id && it.mode.is_drawn());
     capital(&method.map_or_else(|| id.to_owned(), |it| method_name(*it)))
 }
 

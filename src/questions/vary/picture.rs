@@ -97,7 +97,8 @@ pub async fn errors(
     let phong = view.shaded(ShadingMode::Phong);
     let mut frames = Vec::new();
     for contender in contenders {
-        let frame = contender.method.map(|method| {
+        let drawn = contender.method.filter(|it| it.mode.is_drawn());
+        let frame = drawn.map(|method| {
             let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
             let drawn = systems::draw(&mut world, &method.view(&view), &mut frame);
             drawn.map(|()| frame)
@@ -110,7 +111,8 @@ pub async fn errors(
                 if *contender == TEXTBOOK {
                     by_reference::<f32>(&world, &phong)
                 } else {
-                    by_reference::<f64>(&world, &phong)
+                    let view = contender.method.map_or(phong, |it| it.view(&view));
+                    by_reference::<f64>(&world, &view)
                 }
             },
             |frame| Box::new(move |[x, y]: [usize; 2]| shown(frame, y * size[0] + x)) as Shown,

@@ -4,7 +4,6 @@
 //! band, so the choice does not depend on the number of threads.
 
 use fearless_simd::{Level, Simd};
-use glam::DVec3;
 
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
@@ -14,7 +13,6 @@ use crate::shading::gouraud::{Gouraud, GridSquares, Source};
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::simd::{dispatch, four, outlined};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
-use crate::shading::unit_vectors::UnitVectors;
 use crate::shading::{Scratch, Shader, SquareKind, Surface};
 use crate::systems::frame::{Band, DrawList, Piece};
 
@@ -28,7 +26,6 @@ impl DrawList {
     pub fn shade(&self, level: Level, piece: &Piece, band: &mut Band, scratch: &mut Scratch) {
         let Scratch {
             lights,
-            to_lights,
             cells,
             pixels: listed,
             counts,
@@ -56,7 +53,7 @@ impl DrawList {
         if object.mode == ShadingMode::Flat {
             return canvas.fill(piece.corners[0], &face);
         }
-        let shader = &mut self.shader(piece, &face, lights, to_lights, cells);
+        let shader = &mut self.shader(piece, &face, lights, cells);
         dispatch!(level, simd => match &small {
             Some(square) => {
                 let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
@@ -75,7 +72,6 @@ impl DrawList {
         piece: &'a Piece,
         face: &'a Face,
         lights: &'a mut Vec<FaceLight>,
-        to_lights: &'a mut Vec<[DVec3; 4]>,
         cells: &'a mut GridSquares,
     ) -> Shader<'a> {
         let object = &self.objects[piece.object];
@@ -85,7 +81,6 @@ impl DrawList {
             ..Surface::new(material, &self.illumination, centre)
         };
         let (corners, tolerance) = (&piece.corners, self.tolerance);
-        let normals = || face.interpolate(corners, 0);
         match object.mode {
             // A flat face is filled before; Gouraud between equal levels is the same.
             ShadingMode::Flat | ShadingMode::Gouraud => {
@@ -95,19 +90,16 @@ impl DrawList {
                 };
                 Shader::Gouraud(Gouraud::new(face, source, tolerance))
             }
-            ShadingMode::Phong => {
+            ShadingMode::Phong | ShadingMode::UnitVectors | ShadingMode::BlinnPhong => {
                 let gloss = &object.gloss;
                 Shader::Phong(Phong::new(
                     face,
-                    normals(),
+                    face.interpolate(corners, 0),
                     surface,
                     gloss,
                     lights,
                     tolerance,
                 ))
-            }
-            ShadingMode::UnitVectors => {
-                Shader::UnitVectors(UnitVectors::new(face, &normals(), surface, to_lights))
             }
         }
     }

@@ -85,8 +85,10 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study,
             choose_method(
                 world,
                 match method.mode {
-                    ShadingMode::Flat | ShadingMode::UnitVectors => method,
-                    mode => Method::of(mode, tolerance),
+                    mode @ (ShadingMode::Gouraud | ShadingMode::Phong) => {
+                        Method::of(mode, tolerance)
+                    }
+                    _ => method,
                 },
             );
             Ok(())

@@ -19,6 +19,7 @@ fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
         "light ambient",
         "specular gate",
         "diffuse clamp",
+        "every highlight by o.r",
         "unit normal",
         "corner normals emerald",
         "every pixel emerald",

@@ -1,22 +1,24 @@
 //! The cause of a wrong picture is named where it is proven, and never otherwise.
 
 use fearless_simd::Level;
+use glam::DVec3;
 use shadetrade::components::{NormalMode, ShadingMode, View};
 use shadetrade::output::{Monitor, finished};
 use shadetrade::questions::prove::{causes, prove};
 use shadetrade::questions::requires::{Part, picture_without};
 use shadetrade::reference::Rule;
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::systems::frame::Keep;
+use shadetrade::systems::frame::{Keep, display_pixel};
 
-use crate::support::scene::draw;
+use crate::support::scene::{draw, truth};
 
 const SIZE: [usize; 2] = [120, 90];
 
-/// The default scene under Phong.
+/// The default scene under Phong. Its highlight is from the side, so that Blinn-Phong's is another.
 fn scene(change: impl Fn(&mut SceneRecord)) -> Scene {
     let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
     record.cuboid[0].shading = ShadingMode::Phong;
+    record.light[2].position = Some(DVec3::new(-6.0, 6.0, 10.0));
     change(&mut record);
     Scene::spawn("changed".to_owned(), &record)
 }
@@ -66,9 +68,11 @@ fn a_change_that_makes_every_pixel_right_is_the_cause() {
     };
     let blue_first = right.iter().map(swap).collect();
     let both = from_below.iter().map(swap).collect();
-    let mut default = scene(|_| ());
-    let shortcut = view(&default).shaded(ShadingMode::UnitVectors);
-    let shortcut = draw(&mut default.world, &shortcut, Keep::Display);
+    let default = scene(|_| ());
+    let by_reference = |mode| {
+        let truth = truth(&default.world, &view(&default).shaded(mode));
+        truth.levels.into_iter().map(display_pixel).collect()
+    };
     let without = |rule| {
         let scene = scene(|_| ());
         let view = view(&scene);
@@ -88,7 +92,14 @@ fn a_change_that_makes_every_pixel_right_is_the_cause() {
             drawn(|it| it.cuboid[0].shading = ShadingMode::Gouraud),
             "picture of gouraud",
         ),
-        (shortcut.pixels().to_vec(), "picture of phong-unit-vectors"),
+        (
+            by_reference(ShadingMode::UnitVectors),
+            "picture of phong-unit-vectors",
+        ),
+        (
+            by_reference(ShadingMode::BlinnPhong),
+            "picture of blinn-phong",
+        ),
         (
             drawn(|it| it.cuboid[0].normals = NormalMode::Face),
             "with face normals",

@@ -8,7 +8,7 @@ use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::{Material, Projection, Segments, ShadingMode, TriangleId, View};
 use shadetrade::systems::frame::Frame;
 
-use crate::support::scene::{MODES, empty, placed, spawn_cuboid, spawn_light, view};
+use crate::support::scene::{empty, placed, spawn_cuboid, spawn_light, view};
 
 /// The first `count` of the three cuboids, and the lights.
 pub fn still_life(count: usize) -> World {
@@ -51,14 +51,9 @@ pub fn views(size: [usize; 2]) -> Vec<View> {
     for projection in Projection::ALL {
         let (eye, target) = (DVec3::new(4.0, 3.0, 9.0), DVec3::new(0.0, 0.125, 0.0));
         let view = view(size, eye, target, projection);
-        for mode in MODES {
-            // Unit vectors have no tolerance.
-            let tolerances: &[f64] = match mode {
-                ShadingMode::UnitVectors => &[0.0],
-                _ => &[0.0, 0.5, 4.0],
-            };
+        for mode in ShadingMode::ALL {
             let view = view.shaded(mode);
-            views.extend(tolerances.iter().map(|it| view.with_tolerance(*it)));
+            views.extend([0.0, 0.5, 4.0].map(|it| view.with_tolerance(it)));
         }
         for (cells, tolerance) in [(2, 0.5), (7, 0.0), (64, 0.5)] {
             let mut view = view.shaded(ShadingMode::Gouraud);

@@ -6,7 +6,7 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
-use shadetrade::components::{FileOrder, Mesh, Transform, TriangleId, View};
+use shadetrade::components::{FileOrder, Mesh, ShadingMode, Transform, TriangleId, View};
 use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
 
@@ -14,11 +14,11 @@ use super::life::Bits;
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;
 use crate::support::random_scene::case;
-use crate::support::scene::{MODES, draw, truth};
+use crate::support::scene::{draw, truth};
 
 /// Random scenes in every mode, exact and within half a level.
 fn scenes() -> impl Iterator<Item = (World, View)> {
-    let all = MODES.map(|mode| values(&case(mode), cases(40)).collect::<Vec<_>>());
+    let all = ShadingMode::ALL.map(|mode| values(&case(mode), cases(40)).collect::<Vec<_>>());
     let all = all.into_iter().flatten();
     let tolerances = [0.0, 0.5].into_iter().cycle();
     all.zip(tolerances)

@@ -14,13 +14,6 @@ use shadetrade::scene::Scene;
 use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
 
-pub const MODES: [ShadingMode; 4] = [
-    ShadingMode::Flat,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::UnitVectors,
-];
-
 /// An empty world.
 pub fn empty() -> World {
     World::new()

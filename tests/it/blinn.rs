@@ -1,0 +1,134 @@
+//! Blinn-Phong with four times the exponent against Phong, on scenes whose difference is known on paper.
+//!
+//! ```text
+//!   light  n  eye      the light is far, at an angle t of incidence; the eye is in the mirror direction,
+//!       \  |  /        and the pixels see the face from beside it by f: across the plane of incidence
+//!      t \ | / t       o.r = 1 - f^2 / 2 and n.h = 1 - f^2 / (8 cos^2 t), nearly
+//!  ________|________
+//! ```
+
+use glam::DVec3;
+use hecs::World;
+use shadetrade::components::LightKind::Specular;
+use shadetrade::components::ShadingMode::{BlinnPhong, Phong};
+use shadetrade::components::{NormalMode, Projection, View, overwrite};
+use shadetrade::reference::{Interval, Real, Reference};
+
+use crate::support::scene::{at, empty, shine, spawn_cuboid, truth, view, white};
+
+/// The face z = 0 under a light at this angle of incidence, seen from the mirror direction. Angles are in degrees.
+fn mirror(incidence: f64, shininess: f64, fov: f64) -> (World, View) {
+    let (sin, cos) = incidence.to_radians().sin_cos();
+    let mut world = empty();
+    let slab = DVec3::new(400.0, 400.0, 1.0);
+    spawn_cuboid(&mut world, slab, at(DVec3::Z * -0.5), white(shininess));
+    shine(
+        &mut world,
+        Specular,
+        255.0,
+        DVec3::new(-sin, 0.0, cos) * 1e9,
+    );
+    overwrite(&mut world, &NormalMode::Face);
+    let eye = DVec3::new(sin, 0.0, cos) * 10.0;
+    let mut view = view([121; 2], eye, DVec3::ZERO, Projection::Perspective);
+    view.camera.fov = fov;
+    (world, view)
+}
+
+/// The largest difference of two pictures, in levels.
+fn difference(one: &(World, View), other: &(World, View)) -> f64 {
+    let [one, other] = [one, other].map(|(world, view)| truth(world, view).levels);
+    let pairs = one.as_flattened().iter().zip(other.as_flattened());
+    pairs
+        .map(|(one, other)| (one - other).abs())
+        .fold(0.0, f64::max)
+}
+
+/// The difference of the modes in one scene.
+fn error(incidence: f64, shininess: f64, fov: f64) -> f64 {
+    let scene = |mode| {
+        let (world, view) = mirror(incidence, shininess, fov);
+        (world, view.shaded(mode))
+    };
+    difference(&scene(BlinnPhong), &scene(Phong))
+}
+
+#[test]
+fn the_difference_goes_with_the_angle_of_incidence() {
+    for (incidence, known) in [
+        (0.0, 0.5),
+        (30.0, 26.7),
+        (45.0, 63.5),
+        (60.0, 120.2),
+        (75.0, 195.3),
+    ] {
+        let found = error(incidence, 77.0, 30.0);
+        // The smallest is known to one digit.
+        let near = if incidence == 0.0 { 0.05 } else { 0.01 * known };
+        assert!(
+            (found - known).abs() < near,
+            "{found}, not {known}, at {incidence} degrees"
+        );
+    }
+}
+
+/// 255 k^(-1/(k-1)) (1 - 1/k), k = 1 / cos^2 t.
+#[test]
+fn the_difference_does_not_depend_on_the_shininess() {
+    let k = 2.0_f64;
+    let known = 255.0 * k.powf(-1.0 / (k - 1.0)) * (1.0 - 1.0 / k);
+    for (shininess, fov) in [(50.0, 40.0), (800.0, 10.0), (2e4, 2.0)] {
+        let found = error(45.0, shininess, fov);
+        assert!(
+            (found - known).abs() < 0.01 * known,
+            "{found}, not {known}, of {shininess}"
+        );
+    }
+}
+
+#[test]
+fn head_on_little_is_left_at_a_low_shininess() {
+    for (shininess, known) in [(5.0, 7.7), (10.0, 3.6), (20.0, 1.8)] {
+        let found = error(0.0, shininess, 100.0);
+        assert!(
+            (found - known).abs() < 0.06,
+            "{found}, not {known}, of {shininess}"
+        );
+    }
+}
+
+#[test]
+fn equal_exponents_differ_by_half_of_the_range() {
+    for incidence in [0.0, 45.0] {
+        let (world, view) = mirror(incidence, 77.0 / 4.0, 60.0);
+        let (plain, _) = mirror(incidence, 77.0, 60.0);
+        let found = difference(
+            &(world, view.shaded(BlinnPhong)),
+            &(plain, view.shaded(Phong)),
+        );
+        assert!(
+            (120.0..123.0).contains(&found),
+            "{found} at {incidence} degrees"
+        );
+    }
+}
+
+#[test]
+fn enclosures_hold_the_levels_of_the_reference() {
+    for (incidence, shininess) in [(0.0, 1e6), (45.0, 77.0), (80.0, 0.0)] {
+        let (world, view) = mirror(incidence, shininess, 30.0);
+        let view = view.shaded(BlinnPhong);
+        let exact = Reference::<Interval>::new(&world, &view);
+        let levels = truth(&world, &view).levels;
+        for y in 0..121 {
+            exact.row(y, |x, seen| {
+                let level = levels[y * 121 + x][0];
+                let near = |[least, most]: [f64; 2]| least - 1e-6 < level && level < most + 1e-6;
+                let holds = seen.iter().any(|it| near(it.levels[0].endpoints()));
+                assert!(holds, "{level}, {seen:?}");
+                let [least, most] = seen[0].levels[0].endpoints();
+                assert!(most - least < 1e-6, "{least} to {most}");
+            });
+        }
+    }
+}
