@@ -1,7 +1,7 @@
 //! Scenes with extreme numbers, and proofs of their pictures.
 //!
 //! Each file of `assets/extremes` is a scene, built in as `extremes/NAME`. Its first line describes the extreme and the right
-//! picture. Every pixel of its pictures is proven: from each camera, in both projections and modes, exactly and within half a
+//! picture. Every pixel of its pictures is proven: from each camera, in both projections and all modes, exactly and within half a
 //! level. `index.toml` lists the exceptions: another size, fewer pictures, and levels known on paper.
 
 use std::collections::BTreeMap;
@@ -60,7 +60,7 @@ impl Default for Extreme {
             name: "",
             size: SIZE,
             projections: Projection::ALL.to_vec(),
-            modes: vec![ShadingMode::Gouraud, ShadingMode::Phong],
+            modes: ShadingMode::ALL.to_vec(),
             fact: None,
         }
     }
