@@ -134,8 +134,9 @@ Examples:
   shadetrade vary light.white.position.z=1.1..20 -o lamp   how close may a lamp come to a face?
   shadetrade vary cuboid.emerald.material.shininess=1..1e6 --tolerance 0   how large a shininess does f32 carry?
 
-Every pixel is compared with an interval that encloses its exact level. Ends are found by bisection, to a hundredth of
-the range. Steps are logarithmic where both ends have one sign and a ratio of 10 or more.")]
+Every pixel is compared with an interval that encloses its exact level.
+Ends are found by bisection, to a hundredth of the range.
+Steps are logarithmic where both ends have one sign and a ratio of 10 or more.")]
     Vary(VaryOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\

@@ -52,18 +52,27 @@ impl fmt::Display for Key {
     }
 }
 
+/// Splits `KEY=TEXT`. A quoted name of the key may hold an `=`.
+pub fn split(text: &str) -> Option<(Key, &str)> {
+    let pieces = || {
+        text.match_indices('=')
+            .map(|(at, _)| (text[..at].trim(), &text[at + 1..]))
+    };
+    let is_complete = |(key, _): &(&str, &str)| toml_edit::Key::parse(key).is_ok();
+    // A name without quotes may have letters that TOML quotes.
+    let (key, rest) = pieces().find(is_complete).or_else(|| pieces().next())?;
+    Some((Key::from(key), rest.trim()))
+}
+
 /// Reads `KEY=VALUE`. The value is one of TOML, a whole number of any size, or a bare word, which is a string.
 ///
 /// # Errors
 /// If there is no `=`.
 pub fn assignment(text: &str) -> Result<(Key, Value), &'static str> {
-    let is_outside = |(at, _): &(usize, &str)| text[..*at].matches('"').count().is_multiple_of(2);
-    let found = text.match_indices('=').find(is_outside);
-    let (at, _) = found.ok_or("it is KEY=VALUE, such as light.white.on=false")?;
-    let (key, value) = (text[..at].trim(), text[at + 1..].trim());
+    let (key, value) = split(text).ok_or("it is KEY=VALUE, such as light.white.on=false")?;
     let large = || value.parse().ok().map(Value::Float);
     let read = value.parse().ok().or_else(large);
-    Ok((Key::from(key), read.unwrap_or_else(|| Value::from(value))))
+    Ok((key, read.unwrap_or_else(|| Value::from(value))))
 }
 
 /// A scene with other values.
@@ -119,7 +128,7 @@ impl Key {
     pub fn write(&self, record: &mut SceneRecord, value: Value) -> anyhow::Result<()> {
         let mut scene = tree(record);
         *self.find(&mut scene)? = value;
-        let refused = |error: toml::de::Error| anyhow!("{self}: {}", in_words(error.message()));
+        let refused = |error: toml::de::Error| anyhow!("`{self}`: {}", in_words(error.message()));
         *record = SceneRecord::deserialize(scene).map_err(refused)?;
         Ok(())
     }

@@ -226,6 +226,42 @@ fn values_reach_from_end_to_end_in_even_steps() {
     assert_eq!(values("cuboid.emerald.segments=1..3", 9), [1.0, 2.0, 3.0]);
 }
 
+/// The ratio of these ends exceeds the largest float, or is 0 in f64.
+#[test]
+fn a_range_of_any_number_of_decades_has_even_steps() {
+    let record = default_record();
+    for (ends, middle) in [
+        ("1e-300..1e100", 1e-100),
+        ("-1e100..-1e-300", -1e-100),
+        ("1e-308..1e100", 1e-104),
+        ("5e-324..1", 2.2e-162),
+        ("-1e30..-1", -1e15),
+    ] {
+        let text = format!("light.white.position.z={ends}");
+        let variable = Variable::parse(&text, &record).expect("a range");
+        let values = variable.values(5);
+        assert!(
+            values.is_sorted() && values.len() == 5,
+            "{ends}: {values:?}"
+        );
+        assert!(
+            (values[2] / middle - 1.0).abs() < 0.02,
+            "{ends}: {values:?}"
+        );
+        for (step, value) in values.iter().enumerate() {
+            assert!(
+                (variable.share(*value) - step as f64 / 4.0).abs() < 1e-3,
+                "{ends}"
+            );
+        }
+        assert!((2..=8).contains(&variable.marks().len()), "{ends}");
+    }
+    // A sixth of the range is no float.
+    let variable = Variable::parse("light.white.position.z=0..5e-324", &record).expect("a range");
+    assert_eq!(variable.marks(), [0.0, 5e-324]);
+    assert_eq!(variable.values(5), [0.0, 5e-324]);
+}
+
 #[test]
 fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
     let report = varied(&default_record(), "light.white.intensity=5..20", 3);

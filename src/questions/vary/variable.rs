@@ -20,8 +20,8 @@ pub fn present(key: &Key, record: &SceneRecord) -> anyhow::Result<f64> {
     match key.read(record)? {
         Some(Value::Integer(whole)) => Ok(whole as f64),
         Some(Value::Float(number)) => Ok(number),
-        Some(_) => bail!("{key} is no number"),
-        None => bail!("{key} is left out"),
+        Some(_) => bail!("`{key}` is no number"),
+        None => bail!("`{key}` is left out"),
     }
 }
 
@@ -50,13 +50,15 @@ impl Variable {
     /// If the text has another form, the scene has no such number, or an end is not legal.
     pub fn parse(text: &str, record: &SceneRecord) -> anyhow::Result<Self> {
         let form = || format!("{text:?} is not KEY=FROM..TO, such as light.white.intensity=1..100");
-        let (key, range) = text.split_once('=').with_context(form)?;
+        let (key, range) = key::split(text).with_context(form)?;
+        ensure!(
+            !range.contains("..."),
+            "`{key}`: {range:?} has three dots, and FROM..TO has two"
+        );
         let (from, to) = range.split_once("..").with_context(form)?;
         let number = |text: &str| text.trim().parse::<f64>().ok().filter(|it| it.is_finite());
         let ends = number(from).zip(number(to));
         let (from, to) = ends.with_context(form)?;
-        // A dummy value: the parser of assignments knows quoted names.
-        let (key, _) = key::assignment(&format!("{key}=0")).map_err(anyhow::Error::msg)?;
         Variable::new(key, [from, to], record)
     }
 
@@ -69,23 +71,23 @@ impl Variable {
             Some(Value::Integer(_)) => true,
             // An optional number may be left out.
             Some(Value::Float(_)) | None => false,
-            Some(_) => bail!("{key} is no number"),
+            Some(_) => bail!("`{key}` is no number"),
         };
         let (from, to) = (from.min(to), from.max(to));
         ensure!(
             from != to,
-            "{key}: the range from {from} to {to} has one value"
+            "`{key}`: the range from {from} to {to} has one value"
         );
         let is_legal = |end: &f64| !is_whole || end.fract() == 0.0;
         ensure!(
             [from, to].iter().all(is_legal),
-            "{key} has whole numbers, and {from} to {to} are not"
+            "`{key}` has whole numbers, and {from} to {to} are not"
         );
         let variable = Variable {
             key,
             from,
             to,
-            logarithmic: from * to > 0.0 && (to / from).max(from / to) >= MANY,
+            logarithmic: (from > 0.0 || to < 0.0) && (to / from).max(from / to) >= MANY,
             is_whole,
         };
         for end in [from, to] {
@@ -128,21 +130,29 @@ impl Variable {
         Variable::new(key, [from.min(value), to.max(value)], record)
     }
 
+    /// A value on a scale on which steps are even. The ratio of two legal values may overflow, their logarithms do not.
+    fn scaled(&self, value: f64) -> f64 {
+        if self.logarithmic {
+            value.abs().log10()
+        } else {
+            value
+        }
+    }
+
     /// The place of a value in the range, 0..=1 in steps.
     pub fn share(&self, value: f64) -> f64 {
-        if self.logarithmic {
-            (value / self.from).ln() / (self.to / self.from).ln()
-        } else {
-            (value - self.from) / (self.to - self.from)
-        }
+        let [value, from, to] = [value, self.from, self.to].map(|it| self.scaled(it));
+        (value - from) / (to - from)
     }
 
     /// The value at a place of the range.
     pub fn at(&self, share: f64) -> f64 {
+        let [from, to] = [self.from, self.to].map(|it| self.scaled(it));
+        let place = from + (to - from) * share;
         let value = if self.logarithmic {
-            self.from * (self.to / self.from).powf(share)
+            10.0_f64.powf(place).copysign(self.from)
         } else {
-            self.from + (self.to - self.from) * share
+            place
         };
         match share {
             0.0 => self.from,
@@ -194,7 +204,8 @@ fn even(from: f64, to: f64) -> Vec<f64> {
     let power = 10.0_f64.powf(least.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
     let step = steps.into_iter().find(|step| *step >= least);
-    let step = step.unwrap_or(10.0 * power);
+    // The smallest float, where a sixth of the range is below it.
+    let step = step.unwrap_or(10.0 * power).max(f64::from_bits(1));
     let first = (from / step).ceil() as i64;
     let numbers = (first..).map(|number| number as f64 * step);
     numbers.take_while(|value| *value <= to).collect()

@@ -45,6 +45,10 @@ const FAILURES: &str = r#"
 2  vary light.white.intensity=-1..2  ->  light.white.intensity|from 0.0 to 1e30
 2  vary light.white.intensity=2..2  ->  light.white.intensity|one value
 2  vary light.white.intensity=2  ->  KEY=FROM..TO
+2  vary camera.1.fov=1...5  ->  1...5|three dots
+2  vary light."white.intensity=1..2  ->  no key light|light has white
+2  vary view.turned=0..360  ->  `view.turned`|359
+2  vary camera.1.fov=0..360  ->  `camera.1.fov`|179
 2  vary cuboid.emerald.segments=1.5..4  ->  whole numbers
 2  vary cuboid.emerald.segments=1..300  ->  cuboid.emerald.segments|256
 2  vary cuboid.emerald.shading=1..2  ->  cuboid.emerald.shading|no number

@@ -1,6 +1,7 @@
 //! Keys: any number or setting of a scene is read, written, named and explained by its key.
 
 use proptest::prelude::*;
+use shadetrade::questions::vary::variable::Variable;
 use shadetrade::scene::key::{Key, assignment, differences, set};
 use shadetrade::scene::{Scene, SceneRecord};
 
@@ -61,6 +62,28 @@ fn a_value_is_written_read_and_told_from_all_others() {
 }
 
 #[test]
+fn a_quoted_name_may_hold_what_ends_an_unquoted_one() {
+    for name in ["a=b", "a..b", "it's = \"q\"", "=", "a.b=1..2"] {
+        let mut record = default_record();
+        record.light[0].name = name.to_owned();
+        let key = Key::from("light").child(name).child("intensity");
+        let literal = (!name.contains('\'')).then(|| format!("light.'{name}'.intensity"));
+        for text in literal.into_iter().chain([key.to_string()]) {
+            let (found, value) = assignment(&format!("{text}=7")).expect("an assignment");
+            let changed = set(&record, &[(found, value)]).expect(&text);
+            assert_eq!(changed.light[0].intensity, 7.0, "{text}");
+            let variable = Variable::parse(&format!("{text} = 1..7"), &record).expect(&text);
+            assert_eq!(
+                (variable.key, variable.from, variable.to),
+                (key.clone(), 1.0, 7.0)
+            );
+        }
+    }
+    // A quote that is not closed is part of a name that does not exist.
+    assert!(refused("light.\"white.on=true").contains("light has white"));
+}
+
+#[test]
 fn a_whole_number_of_any_size_is_a_number() {
     let text = "cuboid.emerald.position.x=100000000000000000000";
     let assignment = assignment(text).expect("an assignment");
@@ -94,7 +117,7 @@ fn a_wrong_key_says_which_there_are_and_a_wrong_value_what_is_legal() {
         ("camera.1.neer=1", "near"),
         (
             "light.white.intensity=-1",
-            "light.white.intensity: invalid value: -1.0, expected a number from 0.0 to 1e30",
+            "`light.white.intensity`: invalid value: -1.0, expected a number from 0.0 to 1e30",
         ),
         ("light.white.intensity=nan", "NaN"),
         ("light.white.on=1", "expected a boolean"),
