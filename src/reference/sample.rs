@@ -37,6 +37,8 @@ pub struct Sample {
     pub gouraud: DVec3,
     /// Phong's levels, unclamped.
     pub phong: DVec3,
+    /// Those of Blinn-Phong with four times the exponent.
+    pub blinn_phong: DVec3,
     /// The length of n under interpolated unit vectors, 0..=1.
     pub normal_length: f64,
 }
@@ -71,6 +73,9 @@ pub struct LightSample {
     /// Its term under Phong, in unclamped levels.
     #[serde(skip)]
     pub phong: DVec3,
+    /// That under Blinn-Phong.
+    #[serde(skip)]
+    pub blinn_phong: DVec3,
 }
 
 /// The evaluations of these columns of row `y`, which must lie inside the picture for `view`; `None` for the background.
@@ -127,20 +132,24 @@ impl Reference<f64> {
             let is_lit = normal.dot(to_light) > 0.0;
             let by_half = || surface.half_vector_factor(normal, to_eye, to_light);
             let by_half = || if is_lit { by_half() } else { 0.0 };
+            let half_vector_factor = (light.kind == LightKind::Specular).then(by_half);
+            let blinn_phong = light.levels * half_vector_factor.unwrap_or(factor);
             LightSample {
                 name: name.clone(),
                 kind: light.kind,
                 to_light: directed(to_light),
                 reflected: directed(reflection(normal, to_light)),
                 half_vector: directed((to_light + to_eye).unit()).filter(|it| *it != DVec3::ZERO),
-                half_vector_factor: (light.kind == LightKind::Specular).then(by_half),
+                half_vector_factor,
                 factor,
                 vertex_factors,
                 strength: light.levels.to_dvec3(),
                 gouraud: blend(vertex_levels, weights).to_dvec3(),
                 phong: (light.levels * factor).to_dvec3(),
+                blinn_phong: blinn_phong.to_dvec3(),
             }
         });
+        let lights: Vec<LightSample> = lights.collect();
         let on_screen = solid.shortcut_weights(corners, on_face);
         let normals = corners.map(|corner| surface.corner_normal(*face, corner));
         Some(Sample {
@@ -152,12 +161,13 @@ impl Reference<f64> {
             position: self.sight.eye + to_world(place.point),
             normal: to_world(normal),
             to_eye: to_world(to_eye),
-            lights: lights.collect(),
             gouraud: (met.cuboid)
                 .gouraud(*face, corners, on_face, place.share, 0)
                 .levels
                 .to_dvec3(),
             phong: surface.phong(*face, place, 0).levels.to_dvec3(),
+            blinn_phong: lights.iter().map(|light| light.blinn_phong).sum(),
+            lights,
             normal_length: blend(normals, on_screen).length_squared().sqrt(),
         })
     }

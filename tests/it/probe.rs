@@ -74,7 +74,10 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
     for (tolerance, allowed) in [("0", 0.05), ("0.5", 0.5), ("4", 4.0)] {
         for pixel in ["480,300", "600,250", "700,400", "520,260"] {
             let probe = probe(&format!("--pixel {pixel} --tolerance {tolerance}"));
-            assert_eq!(keys(&probe["reference"]), "triangle gouraud phong");
+            assert_eq!(
+                keys(&probe["reference"]),
+                "triangle gouraud phong blinn_phong"
+            );
             for mode in ["gouraud", "phong"] {
                 assert_eq!(keys(&probe[mode]), "levels terms bytes");
                 assert_eq!(keys(&probe[mode]["terms"]), "white red specular ambient");
@@ -212,6 +215,22 @@ fn surface_of(
     let view = view_from(&scene, 0, [960, 720]).shaded(mode);
     let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
     probe.surface.expect("a face is seen")
+}
+
+#[test]
+fn levels_of_blinn_phong_are_those_of_its_picture() {
+    let mut differing = 0;
+    for column in (400..600).step_by(5) {
+        let surface = surface_of(ShadingMode::BlinnPhong, [column, 330], |record| {
+            record.light[2].position = Some(DVec3::new(-6.0, 6.0, 10.0));
+        });
+        let sample = surface.sample.expect("no edge");
+        let error = (sample.blinn_phong - DVec3::from(surface.drawn)).abs();
+        assert!(error.max_element() < 1e-9, "{sample:?}");
+        let difference = (sample.blinn_phong - sample.phong).abs();
+        differing += usize::from(difference.max_element() > 1.0);
+    }
+    assert!(differing > 2, "{differing}");
 }
 
 #[test]

@@ -53,6 +53,7 @@ impl Probe {
                 "triangle": sample.map(|it| it.triangle),
                 "gouraud": sample.map(|it| json!({"levels": it.gouraud})),
                 "phong": sample.map(|it| json!({"levels": it.phong})),
+                "blinn_phong": sample.map(|it| json!({"levels": it.blinn_phong})),
             },
         })
     }

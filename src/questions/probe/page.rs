@@ -60,7 +60,7 @@ impl Probe {
 struct Page(Vec<String>);
 
 impl Page {
-    /// Works out the exact levels under Phong and under Gouraud.
+    /// Works out the exact levels under Phong, Blinn-Phong and Gouraud.
     fn work_out(&mut self, surface: &ProbedSurface, sample: &Sample) {
         self.vectors(surface, sample);
         for (source, light) in surface.sources.iter().zip(&sample.lights) {
@@ -73,11 +73,10 @@ impl Page {
             self.strength(surface, source, light);
         }
         self.begin("Phong, exact");
-        self.cells("", CHANNELS);
-        for light in &sample.lights {
-            self.levels(&one_line(&light.name), light.phong);
-        }
-        self.result_levels("sum", sample.phong);
+        self.sum(sample, |light| light.phong, sample.phong);
+        self.begin("Blinn-Phong, exact: n.h in place of o.r,");
+        self.say("with four times the shininess");
+        self.sum(sample, |light| light.blinn_phong, sample.blinn_phong);
         self.begin("Gouraud, exact: each factor at the vertices,");
         self.say("and the sum of weight x factor");
         self.cells("", vertices(sample));
@@ -86,11 +85,16 @@ impl Page {
             let factor = DVec3::from(light.vertex_factors).dot(sample.weights.into());
             self.result("factor", factor);
         }
+        self.sum(sample, |light| light.gouraud, sample.gouraud);
+    }
+
+    /// The term of each light, and their sum.
+    fn sum(&mut self, sample: &Sample, term: impl Fn(&LightSample) -> DVec3, sum: DVec3) {
         self.cells("", CHANNELS);
         for light in &sample.lights {
-            self.levels(&one_line(&light.name), light.gouraud);
+            self.levels(&one_line(&light.name), term(light));
         }
-        self.result_levels("sum", sample.gouraud);
+        self.result_levels("sum", sum);
     }
 
     /// The weights of the vertices; P, n and o.

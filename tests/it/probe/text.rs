@@ -142,6 +142,9 @@ fn every_number_of_a_page_is_exact_whatever_its_size() {
                 sample.phong,
                 (|it| it.phong) as fn(&LightSample) -> DVec3,
             ),
+            ("Blinn-Phong, exact", sample.blinn_phong, |it| {
+                it.blinn_phong
+            }),
             ("Gouraud, exact", sample.gouraud, |it| it.gouraud),
         ] {
             let printed = numbers(&lines, mode, "sum");
