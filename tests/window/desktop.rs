@@ -161,7 +161,7 @@ impl Program {
     /// Presses and releases the button as a finger does.
     pub fn click(&self, place: Point) {
         self.point_at(place);
-        self.xdotool(&["mousedown", "1", "sleep", "0.05", "mouseup", "1"]);
+        self.xdotool(&["mousedown", "1", "sleep", "0.25", "mouseup", "1"]);
     }
 
     /// Drags in small steps, like a hand.
