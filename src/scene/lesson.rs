@@ -26,7 +26,7 @@ use super::{Scene, SceneRecord, built_in, error, read_text, updated};
 use crate::output::words::capital;
 
 /// The built-in lessons, as name (`lessons/NAME`) and text, in the order in which they are read.
-pub const LESSONS: [(&str, &str); 4] = [
+pub const LESSONS: [(&str, &str); 5] = [
     (
         "lessons/why-the-plane-stays-dull",
         include_str!("../../assets/lessons/why-the-plane-stays-dull.toml"),
@@ -42,6 +42,10 @@ pub const LESSONS: [(&str, &str); 4] = [
     (
         "lessons/what-a-tolerance-buys",
         include_str!("../../assets/lessons/what-a-tolerance-buys.toml"),
+    ),
+    (
+        "lessons/which-highlight",
+        include_str!("../../assets/lessons/which-highlight.toml"),
     ),
 ];
 

@@ -3,7 +3,7 @@
 use shadetrade::components::{LightKind, NormalMode, Segments, ShadingMode, View, ViewMode};
 use shadetrade::output::{Monitor, finished};
 use shadetrade::scene::{LESSONS, Scene, SceneRecord, Step};
-use shadetrade::shading::SquareKind;
+use shadetrade::shading::{Method, SquareKind};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::comparison::Comparison;
 
@@ -48,21 +48,27 @@ impl Told {
         draw(&mut world, &view, Keep::Display).pixels().to_vec()
     }
 
-    /// The largest error of the picture against exact Phong, in levels.
-    fn error(&self) -> f64 {
+    fn comparison(&self, methods: Vec<Method>) -> Comparison {
         let mut world = self.record.spawn();
         let view = View::of(&world, SIZE);
         let level = fearless_simd::Level::new();
-        let none = Vec::new();
-        let compared = finished(Comparison::of(
-            &mut world,
-            &view,
-            none,
-            level,
-            Monitor::NONE,
-        ));
-        let worst = compared.expect("it fits").worst;
+        let compared = Comparison::of(&mut world, &view, methods, level, Monitor::NONE);
+        finished(compared).expect("it fits")
+    }
+
+    /// The largest error of the picture against exact Phong, in levels.
+    fn error(&self) -> f64 {
+        let worst = self.comparison(Vec::new()).worst;
         worst.expect("a cuboid is seen").error
+    }
+
+    /// That of Blinn-Phong, which is right of the line.
+    fn blinn_error(&self) -> f64 {
+        let blinn = Method::of(ShadingMode::BlinnPhong, 0.0);
+        let view = &self.record.view;
+        assert_eq!((view.show, view.sides[1]), (ViewMode::Wipe, blinn.into()));
+        let sides = self.comparison(vec![blinn]).sides;
+        sides[0].1.expect("a cuboid is seen").error
     }
 
     /// The number of squares of each kind.
@@ -222,6 +228,26 @@ fn the_errors_of_segments_are_those_of_the_program() {
     let sharp = step("vertices", 6);
     sharp.says("less than one level off");
     assert!(sharp.error() < 1.0);
+}
+
+/// An angle between lamp and eye is twice the angle of incidence in the middle of the box.
+#[test]
+fn blinn_parts_from_phong_with_the_angle() {
+    assert!(step("which", 1).blinn_error() < 2.0, "both agree");
+    for (number, angle) in [(2, 30), (3, 45), (4, 60), (5, 45)] {
+        let step = step("which", number);
+        let lamps = step.record.light.iter();
+        let mut lamps = lamps.filter(|it| it.kind == LightKind::Specular);
+        let lamp = lamps.next().and_then(|it| it.position).expect("a lamp");
+        let eye = step.record.camera[0].position;
+        let apart = lamp.angle_between(eye).to_degrees();
+        assert!((apart - 2.0 * f64::from(angle)).abs() < 0.01, "{apart}");
+        step.says(&format!("{angle} degrees"));
+        step.says(&format!("{:.0} o", step.blinn_error()));
+    }
+    let last = step("which", 5);
+    let shininess = last.record.cuboid[0].material.shininess;
+    last.says(&format!("shininess {shininess}"));
 }
 
 #[test]
