@@ -27,9 +27,11 @@ mod real;
 mod rule;
 mod sample;
 mod sight;
+mod square;
 
 pub use self::interval::Interval;
 pub use self::picture::{Reference, Seen, Truth, picture};
 pub use self::real::Real;
 pub use self::rule::Rule;
 pub use self::sample::{LightSample, Sample, in_row};
+pub use self::square::{EnclosedSquare, MAX_SIDE};

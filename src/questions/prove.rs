@@ -18,6 +18,8 @@ pub mod command;
 mod png;
 
 use std::cmp::Ordering::Equal;
+use std::ops::Range;
+use std::{array, mem};
 
 use fearless_simd::Level;
 use hecs::World;
@@ -28,7 +30,7 @@ use crate::output::Monitor;
 use crate::output::memory;
 use crate::output::progress::bands;
 use crate::questions::metrics::{difference, displayed, ends};
-use crate::reference::{Interval, Real, Reference, Seen};
+use crate::reference::{EnclosedSquare, Interval, MAX_SIDE, Real, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers, display_step};
@@ -37,6 +39,10 @@ pub use png::{PngPicture, read as read_png};
 
 /// How far a level may be from its byte, in levels.
 const ROUNDING: f64 = 0.5;
+
+/// The share of the limit that the error of a square's enclosure may take. Smaller shares need smaller squares; with larger ones
+/// more pixels are enclosed by themselves.
+const SHARE_OF_SQUARES: f64 = 0.25;
 
 /// The most pixels in the list of examples.
 const EXAMPLES: usize = 10;
@@ -97,6 +103,13 @@ pub struct Mark {
     pub is_covered: bool,
 }
 
+/// The mark of a pixel before it is judged.
+const UNKNOWN: Mark = Mark {
+    verdict: Verdict::Undecided,
+    is_outline: false,
+    is_covered: false,
+};
+
 /// A pixel that is not proven.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Example {
@@ -134,20 +147,29 @@ pub struct Proof {
     pub own: u64,
     #[serde(skip)]
     pub own_proven: u64,
+    /// Pixels that the enclosure of their square proves.
+    pub in_squares: u64,
     /// The largest possible error of a proven pixel.
     pub worst: f64,
+    /// The widest enclosure of a pixel by itself.
     pub widest_enclosure: f64,
-    /// The largest possible error of the f64 reference.
+    /// The largest possible error of the f64 reference, at pixels that are enclosed by themselves.
     pub reference_error: f64,
     /// The pixels that are not proven: the refuted ones first, then gaps, and of each the ones with the largest errors.
     pub examples: Vec<Example>,
     /// Row by row from the top.
     #[serde(skip)]
     pub marks: Vec<Mark>,
+    /// The pixels of squares that may have the largest error, with their largest possible error.
+    #[serde(skip)]
+    candidates: Vec<([usize; 2], Shown, f64)>,
+    /// The largest error of the pixels of squares is at least this.
+    #[serde(skip)]
+    least_worst: f64,
 }
 
 /// A pixel as a renderer draws it.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shown {
     /// Cuboid * 6 + face; `None` is the background.
     pub face: Option<usize>,
@@ -264,6 +286,9 @@ impl Proof {
         self.reference_error = self.reference_error.max(below.reference_error);
         self.own += below.own;
         self.own_proven += below.own_proven;
+        self.in_squares += below.in_squares;
+        self.least_worst = self.least_worst.max(below.least_worst);
+        self.candidates.extend(below.candidates);
         self.examples.extend(below.examples);
         self.examples.sort_by(|one, other| {
             let by_verdict = other.verdict.cmp(&one.verdict);
@@ -273,8 +298,14 @@ impl Proof {
         self.marks.extend(below.marks);
     }
 
-    /// Adds one pixel.
-    fn add(&mut self, pixel: [usize; 2], shown: Shown, seen: &[Seen<Interval>], limit: f64) {
+    /// Adds one pixel, and returns its judgement.
+    fn add(
+        &mut self,
+        pixel: [usize; 2],
+        shown: Shown,
+        seen: &[Seen<Interval>],
+        limit: f64,
+    ) -> Mark {
         let (mark, error) = judge(shown, seen, limit);
         let enclosures = visible(seen).flat_map(|seen| ends(seen.levels));
         let widths = enclosures.map(|[least, largest]| largest - least);
@@ -303,7 +334,34 @@ impl Proof {
                 drawn_face: shown.face,
             });
         }
-        self.marks.push(mark);
+        mark
+    }
+
+    /// Judges a pixel by the enclosure of its square, which is wider than its own.
+    fn add_in_square(&mut self, pixel: [usize; 2], shown: Shown, error: [f64; 2]) {
+        self.in_squares += 1;
+        if shown.face.is_some() {
+            self.own += 1;
+            self.own_proven += 1;
+        }
+        let [least, most] = error;
+        self.least_worst = self.least_worst.max(least);
+        if most > self.least_worst {
+            self.candidates.push((pixel, shown, most));
+        }
+    }
+
+    /// Finds the largest error among pixels of squares: those that may have it are enclosed by themselves.
+    fn find_worst(&mut self, enclosures: &Reference<Interval>) {
+        let mut candidates = mem::take(&mut self.candidates);
+        candidates.sort_by(|(.., one), (.., other)| other.total_cmp(one));
+        for (pixel, shown, most) in candidates {
+            if most <= self.worst {
+                return;
+            }
+            let (_, error) = judge(shown, &enclosures.at(pixel), self.limit);
+            self.worst = self.worst.max(error[1]);
+        }
     }
 }
 
@@ -336,11 +394,6 @@ pub async fn prove_at<const COUNT: usize>(
     monitor: Monitor<'_>,
 ) -> anyhow::Result<[Proof; COUNT]> {
     let [width, height] = view.size;
-    // Levels and bytes.
-    let mut frames = tolerances
-        .map(|_| [Keep::Levels, Keep::Display].map(|keep| Frame::new(keep, Workers::alone(level))));
-    let enclosures = Reference::<Interval>::new(world, view);
-    let reference = Reference::<f64>::new(world, view);
     // Bytes are rounded levels.
     let rounding = if picture.is_some() { ROUNDING } else { 0.0 };
     let mut proofs = tolerances.map(|tolerance| Proof {
@@ -348,49 +401,143 @@ pub async fn prove_at<const COUNT: usize>(
         pixels: width * height,
         ..Proof::default()
     });
-    let limits = tolerances.map(limit);
     for proof in &mut proofs {
         proof.marks = memory::reserve_pixels(view.size)?;
     }
+    let frame = |keep| Frame::new(keep, Workers::alone(level));
+    let mut judgement = Judgement {
+        enclosures: Reference::<Interval>::new(world, view),
+        reference: Reference::<f64>::new(world, view),
+        picture,
+        frames: tolerances.map(|_| [Keep::Levels, Keep::Display].map(frame)),
+        limits: tolerances.map(limit),
+        width,
+        first_row: 0,
+    };
     for rows in bands(height) {
+        judgement.first_row = rows.start;
         if picture.is_none() {
-            for (tolerance, frames) in tolerances.iter().zip(&mut frames) {
+            for (tolerance, frames) in tolerances.iter().zip(&mut judgement.frames) {
                 let view = view.with_tolerance(*tolerance);
                 for frame in frames {
                     systems::draw_rows(world, &view, rows.clone(), frame)?;
                 }
             }
         }
-        let prove_row = |y: usize| {
-            let mut exact = Vec::with_capacity(width);
-            reference.row(y, |_, seen| exact.push(seen[0]));
-            let mut proofs = tolerances.map(|_| Proof::default());
-            enclosures.row(y, |x, seen| {
-                let pixel = (y - rows.start) * width + x;
-                let error = nearest(exact[x].face(), exact[x].levels, seen);
-                let most = error.map_or(255.0, |[_, most]| most);
-                let drawn = frames.iter().zip(limits);
-                for (proof, ([levels, display], limit)) in proofs.iter_mut().zip(drawn) {
-                    let shown = match picture {
-                        Some(picture) => Shown::of_bytes(picture[y * width + x], seen, limit),
-                        None => Shown::at(pixel, levels, display),
-                    };
-                    proof.add([x, y], shown, seen, limit);
-                    proof.reference_error = proof.reference_error.max(most);
-                }
-            });
-            Ok(proofs)
-        };
-        let done = [rows.start, height];
-        let found = monitor.in_parallel("proving", rows.clone(), done, prove_row);
-        for row in found.await? {
-            for (proof, row) in proofs.iter_mut().zip(row) {
-                proof.append(row);
+        let strips: Vec<_> = (rows.clone().step_by(MAX_SIDE))
+            .map(|start| start..rows.end.min(start + MAX_SIDE))
+            .collect();
+        let done = [rows.start, height].map(|row| row.div_ceil(MAX_SIDE));
+        let strip = |strip| Ok(judgement.strip(&strip));
+        let found = monitor.in_parallel("proving", strips, done, strip);
+        for strip in found.await? {
+            for (proof, strip) in proofs.iter_mut().zip(strip) {
+                proof.append(strip);
             }
+        }
+        for proof in &mut proofs {
+            proof.find_worst(&judgement.enclosures);
         }
     }
     proofs.iter_mut().for_each(Proof::count);
     Ok(proofs)
+}
+
+/// A picture to be proven at several limits, and its enclosures.
+struct Judgement<'a, const COUNT: usize> {
+    enclosures: Reference<Interval>,
+    reference: Reference<f64>,
+    /// The picture of another program.
+    picture: Option<&'a [u32]>,
+    /// Levels and bytes of the renderer's picture, from `first_row` on.
+    frames: [[Frame; 2]; COUNT],
+    /// In levels.
+    limits: [f64; COUNT],
+    width: usize,
+    first_row: usize,
+}
+
+impl<const COUNT: usize> Judgement<'_, COUNT> {
+    /// A pixel as it is drawn at each limit.
+    fn shown(&self, [x, y]: [usize; 2], seen: &[Seen<Interval>]) -> [Shown; COUNT] {
+        array::from_fn(|index| {
+            if let Some(picture) = self.picture {
+                return Shown::of_bytes(picture[y * self.width + x], seen, self.limits[index]);
+            }
+            let [levels, display] = &self.frames[index];
+            Shown::at((y - self.first_row) * self.width + x, levels, display)
+        })
+    }
+
+    /// Proves some rows, at most [`MAX_SIDE`] of them: in squares, and the pixels that these leave open by themselves.
+    fn strip(&self, rows: &Range<usize>) -> [Proof; COUNT] {
+        let squares = if self.picture.is_some() {
+            Vec::new()
+        } else {
+            let least = self.limits.into_iter().fold(f64::INFINITY, f64::min);
+            self.enclosures.squares(rows, least * SHARE_OF_SQUARES)
+        };
+        let mut square_of = vec![None; rows.len() * self.width];
+        for square in &squares {
+            for row in square.rows.clone() {
+                let start = (row - rows.start) * self.width;
+                square_of[start..][square.columns.clone()].fill(Some(square));
+            }
+        }
+        let mut proofs = self.limits.map(|_| Proof {
+            marks: vec![UNKNOWN; square_of.len()],
+            ..Proof::default()
+        });
+        for (y, squares) in rows.clone().zip(square_of.chunks(self.width)) {
+            let first = (y - rows.start) * self.width;
+            let is_open = |x: &usize| {
+                squares[*x].is_none_or(|square| {
+                    !self.add_in_square([*x, y], first + x, square, &mut proofs)
+                })
+            };
+            let open: Vec<_> = (0..self.width).filter(is_open).collect();
+            let mut exact = Vec::with_capacity(open.len());
+            let columns = open.iter().copied();
+            self.reference
+                .part_of_row(y, columns.clone(), |_, seen| exact.push(seen[0]));
+            let mut exact = exact.into_iter();
+            self.enclosures.part_of_row(y, columns, |x, seen| {
+                let error = exact
+                    .next()
+                    .and_then(|exact| nearest(exact.face(), exact.levels, seen));
+                let most = error.map_or(255.0, |[_, most]| most);
+                let drawn = self.shown([x, y], seen).into_iter().zip(self.limits);
+                for (proof, (shown, limit)) in proofs.iter_mut().zip(drawn) {
+                    proof.marks[first + x] = proof.add([x, y], shown, seen, limit);
+                    proof.reference_error = proof.reference_error.max(most);
+                }
+            });
+        }
+        proofs
+    }
+
+    /// Adds a pixel to the proofs at an index, if the enclosure of its square proves it at all limits.
+    fn add_in_square(
+        &self,
+        pixel: [usize; 2],
+        index: usize,
+        square: &EnclosedSquare,
+        proofs: &mut [Proof; COUNT],
+    ) -> bool {
+        let seen = [square.at(pixel)];
+        let shown = self.shown(pixel, &seen);
+        let judged: [_; COUNT] = array::from_fn(|at| judge(shown[at], &seen, self.limits[at]));
+        let is_proven = |(mark, _): &(Mark, _)| mark.verdict == Verdict::Proven;
+        if !judged.iter().all(is_proven) {
+            return false;
+        }
+        for (proof, (shown, (mark, error))) in proofs.iter_mut().zip(shown.into_iter().zip(judged))
+        {
+            proof.marks[index] = mark;
+            proof.add_in_square(pixel, shown, error);
+        }
+        true
+    }
 }
 
 #[cfg(test)]

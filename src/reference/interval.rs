@@ -47,32 +47,29 @@ impl Interval {
         }
     }
 
-    /// The interval that encloses these values. Each is given with whether it is exact; otherwise it is rounded to
-    /// nearest.
-    fn around<const COUNT: usize>(values: [(f64, bool); COUNT]) -> Self {
-        let [mut least, mut largest] = [f64::INFINITY, f64::NEG_INFINITY];
-        for (value, is_exact) in values {
-            if value.is_nan() {
-                return Interval::ALL;
-            }
-            let [below, above] = if is_exact {
-                [value; 2]
-            } else {
-                [value.next_down(), value.next_up()]
-            };
-            (least, largest) = (least.min(below), largest.max(above));
+    /// The numbers between two results. Each is given with whether it is exact; otherwise it is rounded to nearest.
+    fn between(least: (f64, bool), largest: (f64, bool)) -> Self {
+        if least.0.is_nan() || largest.0.is_nan() {
+            return Interval::ALL;
         }
-        Interval { least, largest }
+        let below =
+            |(value, is_exact): (f64, bool)| if is_exact { value } else { value.next_down() };
+        let above = |(value, is_exact): (f64, bool)| if is_exact { value } else { value.next_up() };
+        Interval {
+            least: below(least),
+            largest: above(largest),
+        }
     }
 
-    /// The interval that encloses `of` every pair of endpoints.
-    fn of_endpoints(self, other: Self, of: impl Fn(f64, f64) -> (f64, bool)) -> Self {
-        let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
-        // An exact operand has one endpoint. Without this the proofs of all extremes take 5 % longer.
-        if c == d {
-            return Interval::around([of(a, c), of(b, c)]);
+    /// Where the interval lies: `Greater` if it holds no negative number, `Less` if it holds no positive one.
+    fn side(self) -> Option<Ordering> {
+        if self.least >= 0.0 {
+            Some(Ordering::Greater)
+        } else if self.largest <= 0.0 {
+            Some(Ordering::Less)
+        } else {
+            None
         }
-        Interval::around([of(a, c), of(a, d), of(b, c), of(b, d)])
     }
 
     /// Applies a function of the crate maryada.
@@ -121,11 +118,12 @@ impl Real for Interval {
 
     /// Negative numbers count as 0.
     fn sqrt(self) -> Self {
-        Interval::around(self.endpoints().map(|value| {
+        let [least, largest] = self.endpoints().map(|value| {
             let root = value.max(0.0).sqrt();
             let is_exact = value == 0.0 || value > TINY;
             (root, is_exact && root.mul_add(root, -value) == 0.0)
-        }))
+        });
+        Interval::between(least, largest)
     }
 
     fn max(self, other: Self) -> Self {
@@ -183,10 +181,10 @@ impl Add for Interval {
             // The error of an infinite sum is NaN, so the sum counts as not exact.
             (sum, (a - (sum - part)) + (b - part) == 0.0)
         };
-        Interval::around([
+        Interval::between(
             sum(self.least, other.least),
             sum(self.largest, other.largest),
-        ])
+        )
     }
 }
 
@@ -200,25 +198,55 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        self.of_endpoints(other, |a, b| {
+        let product = |a: f64, b: f64| {
             let product = a * b;
             let is_exact = a == 0.0 || b == 0.0 || product.abs() > TINY;
             (product, is_exact && a.mul_add(b, -product) == 0.0)
-        })
+        };
+        let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
+        // The signs decide which products are the ends.
+        let (least, largest) = match (self.side(), other.side()) {
+            (Some(Ordering::Greater), Some(Ordering::Greater)) => ([a, c], [b, d]),
+            (Some(Ordering::Greater), Some(_)) => ([b, c], [a, d]),
+            (Some(Ordering::Greater), None) => ([b, c], [b, d]),
+            (Some(_), Some(Ordering::Greater)) => ([a, d], [b, c]),
+            (Some(_), Some(_)) => ([b, d], [a, c]),
+            (Some(_), None) => ([a, d], [a, c]),
+            (None, Some(Ordering::Greater)) => ([a, d], [b, d]),
+            (None, Some(_)) => ([b, c], [a, c]),
+            (None, None) => {
+                let one = Interval::between(product(a, d), product(a, c));
+                return one.either(Interval::between(product(b, c), product(b, d)));
+            }
+        };
+        Interval::between(product(least[0], least[1]), product(largest[0], largest[1]))
     }
 }
 
 impl Div for Interval {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        if other.least <= 0.0 && other.largest >= 0.0 {
+        let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
+        if c <= 0.0 && d >= 0.0 {
             return Interval::ALL;
         }
-        self.of_endpoints(other, |a, b| {
+        let quotient = |a: f64, b: f64| {
             let quotient = a / b;
             let is_exact = a == 0.0 || quotient.abs() > TINY && a.abs() > TINY;
             (quotient, is_exact && quotient.mul_add(b, -a) == 0.0)
-        })
+        };
+        let (least, largest) = match (self.side(), c > 0.0) {
+            (Some(Ordering::Greater), true) => ([a, d], [b, c]),
+            (Some(Ordering::Greater), false) => ([b, d], [a, c]),
+            (Some(_), true) => ([a, c], [b, d]),
+            (Some(_), false) => ([b, c], [a, d]),
+            (None, true) => ([a, c], [b, c]),
+            (None, false) => ([b, d], [a, d]),
+        };
+        Interval::between(
+            quotient(least[0], least[1]),
+            quotient(largest[0], largest[1]),
+        )
     }
 }
 

@@ -38,10 +38,10 @@ pub struct Truth {
 /// A picture that is evaluated pixel by pixel, in f64, f32 or intervals.
 pub struct Reference<R> {
     /// The rule that is left out, if any.
-    without: Option<Rule>,
+    pub(super) without: Option<Rule>,
     pub(super) sight: Sight<R>,
     pub(super) cuboids: Vec<ReferenceCuboid<R>>,
-    background: RealVector<R>,
+    pub(super) background: RealVector<R>,
 }
 
 /// The components of a cuboid.
@@ -61,7 +61,7 @@ pub struct ReferenceCuboid<R> {
     pub number: usize,
     pub solid: CuboidGeometry<R>,
     pub surface: ReferenceSurface<R>,
-    mode: ShadingMode,
+    pub(super) mode: ShadingMode,
     /// The cells along an edge of a face under Gouraud.
     pub segments: usize,
 }
@@ -141,10 +141,20 @@ impl<R: Real> Reference<R> {
 
     /// Evaluates the pixels of row `y` from left to right. `each` receives the column and the surfaces that the pixel
     /// may show: one, or several near an edge, at a tied specular gate, or where cuboids tie in depth.
-    pub fn row(&self, y: usize, mut each: impl FnMut(usize, &[Seen<R>])) {
+    pub fn row(&self, y: usize, each: impl FnMut(usize, &[Seen<R>])) {
+        self.part_of_row(y, 0..self.sight.size[0], each);
+    }
+
+    /// As [`Self::row`], only in these columns.
+    pub fn part_of_row(
+        &self,
+        y: usize,
+        columns: impl IntoIterator<Item = usize>,
+        mut each: impl FnMut(usize, &[Seen<R>]),
+    ) {
         let cuboids = self.in_row(y);
         let (mut met, mut seen) = (Vec::new(), Vec::new());
-        for x in 0..self.sight.size[0] {
+        for x in columns {
             self.meet([x, y], &cuboids, &mut met);
             self.see([x, y], &met, &mut seen);
             each(x, &seen);

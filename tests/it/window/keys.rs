@@ -134,11 +134,7 @@ fn every_key_does_what_its_description_says() {
         assert_eq!(window.files(), saved, "{key:?}");
         // The change was noted, whichever it was.
         assert_eq!(*window.app.document.state, window.record(), "{key:?}");
-        // Undo leaves the explained pixel where it is.
-        let is_travel = matches!(
-            action,
-            Action::Undo | Action::Redo | Action::Probe(..) | Action::Worst
-        );
+        let is_travel = matches!(action, Action::Undo | Action::Redo | Action::Probe(..));
         if window.record() != before && !is_travel {
             window.modifiers = Modifiers::NONE;
             window.undo();

@@ -1,0 +1,101 @@
+//! Squares of pixels that are enclosed at once: their enclosures hold those of each pixel by itself.
+
+use hecs::World;
+use shadetrade::components::{ShadingMode, View};
+use shadetrade::questions::prove::{nearest, shown};
+use shadetrade::reference::{Interval, MAX_SIDE, Real, Reference};
+use shadetrade::scene::Scene;
+use shadetrade::systems::frame::Keep;
+
+use super::{enclosures, proof};
+use crate::support::cases::{cases, values};
+use crate::support::random_scene::case;
+use crate::support::scene::{draw, view_from};
+
+/// Asserts that every pixel of the squares with at most this error shows one surface, and that its levels lie within those of its
+/// square. Returns the number of such pixels, and the largest distance of a level from the middle of its square's enclosure, as
+/// a share of the largest allowed.
+fn compare(world: &World, view: &View, error: f64) -> (usize, f64) {
+    let reference = Reference::<Interval>::new(world, view);
+    let (mut pixels, mut share) = (0, 0.0_f64);
+    for start in (0..view.size[1]).step_by(MAX_SIDE) {
+        let strip = start..(start + MAX_SIDE).min(view.size[1]);
+        for square in reference.squares(&strip, error) {
+            for y in square.rows.clone() {
+                for x in square.columns.clone() {
+                    let ([alone], of_square) = (&reference.at([x, y])[..], square.at([x, y]))
+                    else {
+                        panic!("pixel {x},{y} may show several surfaces");
+                    };
+                    assert_eq!(alone.face(), of_square.face(), "pixel {x},{y}");
+                    for channel in 0..3 {
+                        let [least, largest] = alone.levels[channel].endpoints();
+                        let [low, high] = of_square.levels[channel].endpoints();
+                        let what = format!("pixel {x},{y}: {least}..{largest} in {low}..{high}");
+                        assert!(low <= least && largest <= high, "{what}");
+                        let distance = (least.midpoint(largest) - low.midpoint(high)).abs();
+                        share = share.max(2.0 * distance / (high - low));
+                    }
+                    pixels += 1;
+                }
+            }
+        }
+    }
+    (pixels, share)
+}
+
+#[test]
+fn a_square_encloses_each_of_its_pixels() {
+    for name in ["cuboid", "bench-far", "bench-close"] {
+        let scene = Scene::load(Some(name)).expect("built in");
+        let view = view_from(&scene, 0, [160, 120]).shaded(ShadingMode::Phong);
+        let (all, share) = compare(&scene.world, &view, f64::INFINITY);
+        assert!(all > 2000, "{name}: {all} pixels");
+        assert!((0.05..=1.0).contains(&share), "{name}: {share}");
+        let (close, _) = compare(&scene.world, &view, 0.125);
+        assert!(
+            close > 500 && close <= all,
+            "{name}: {close} of {all} pixels"
+        );
+    }
+}
+
+#[test]
+fn squares_of_random_scenes_enclose_each_of_their_pixels() {
+    let (mut pixels, mut share) = (0, 0.0_f64);
+    for case in values(&case(ShadingMode::Phong), cases(25)) {
+        let (world, view) = case.build([96, 72], 0.5);
+        let (more, largest) = compare(&world, &view, f64::INFINITY);
+        pixels += more;
+        share = share.max(largest);
+    }
+    assert!(pixels > 5000, "{pixels} pixels");
+    assert!((0.1..=1.0).contains(&share), "{share}");
+}
+
+#[test]
+fn a_proof_in_squares_finds_the_error_of_a_proof_of_each_pixel() {
+    let (mut in_squares, mut covered) = (0, 0);
+    for case in values(&case(ShadingMode::Phong), cases(25)) {
+        let (mut world, view) = case.build([96, 72], 0.5);
+        let proof = proof(&mut world, &view);
+        let frame = draw(&mut world, &view, Keep::Levels);
+        let alone = enclosures(&world, &view);
+        let errors = alone.iter().enumerate().map(|(pixel, seen)| {
+            let (face, levels) = shown(&frame, pixel);
+            nearest(face, levels, seen)
+        });
+        let open = errors
+            .clone()
+            .filter(|error| error.is_none_or(|[_, most]| most > 0.5));
+        assert_eq!(open.count(), 0, "{case:?}");
+        assert_eq!(proof.proven, alone.len() as u64, "{case:?}");
+        let worst = errors
+            .flatten()
+            .fold(0.0, |worst, [_, most]| most.max(worst));
+        assert_eq!(proof.worst, worst, "{case:?}");
+        in_squares += proof.in_squares;
+        covered += proof.covered;
+    }
+    assert!(3 * in_squares > covered, "{in_squares} of {covered} pixels");
+}
