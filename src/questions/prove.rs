@@ -12,6 +12,9 @@
 //! value is within the limit. Else it is undecided. A pixel is a gap if it fits only a face that others hide all around its
 //! centre, as at a joint of touching faces. Each byte must be the display step of a level within the limit. A PNG
 //! does not say which face a pixel shows: each one that the pixel may show is tried. Differences are rounded outwards.
+//!
+//! Under Phong, and beside the cuboids, most pixels are enclosed in squares, which takes a fraction of the time. The enclosure of a
+//! square is wider, so a pixel that it leaves open is enclosed by itself: verdicts do not depend on squares.
 
 mod cause;
 pub mod command;

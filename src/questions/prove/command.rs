@@ -229,7 +229,10 @@ fn lines(drawing: &Drawing, judged: &Judged, is_judged: bool) -> Vec<String> {
     }
     lines.extend(judged.causes.iter().map(|it| format!("cause      {it}")));
     lines.extend([
-        format!("proven     {} of {pixels}", proof.proven),
+        format!(
+            "proven     {} of {pixels}, {} of them in squares",
+            proof.proven, proof.in_squares
+        ),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),
         format!(
