@@ -87,7 +87,7 @@ impl Page {
             "sentence": document.scene.lesson.get(document.step).map(|step| &step.say),
             "message": desk.message.as_ref().map(|it| &it.0).or(desk.file_error.as_ref()),
             "method": self.app.method().map(method_name),
-            "error": facts.comparison.current().and_then(|it| it.error),
+            "error": facts.comparison.current().and_then(|it| it.worst).map(|it| it.error),
             "proof": facts.proof.current(),
             "trade": facts.trade.current(),
             "varied": facts.curves.value.as_ref().filter(|it| it.is_all).map(|it| it.variable.clone()),
