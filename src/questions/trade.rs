@@ -125,6 +125,9 @@ pub async fn measure_report(
 ) -> anyhow::Result<Report> {
     let drawing = &request.drawing;
     let methods = measure(request, &[], time_batch, monitor).await?;
+    let timed = methods.iter().find(|it| is_timed(it.method));
+    let covered = timed.or(methods.first());
+    let covered_pixels = covered.map_or(0, |it| it.counts.covered_pixels);
     let words = std::env::args_os().skip(1);
     let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
     Ok(Report {
@@ -134,7 +137,7 @@ pub async fn measure_report(
         camera: camera_name(&drawing.scene.world),
         projection: drawing.view().projection,
         size: drawing.size,
-        covered_pixels: methods.first().map_or(0, |it| it.counts.covered_pixels),
+        covered_pixels,
         methods,
     })
 }

@@ -34,10 +34,10 @@ pub const TINTS: [u32; SquareKind::ALL.len()] = [
 
 /// The frames of the present state.
 pub struct Pictures {
-    /// The frame as it is shaded; in a wipe the last side that was drawn, or the picture if both sides are the reference.
+    /// The frame as it is shaded; in a wipe the last side that was drawn, or the picture if the reference draws both.
     pub frame: Frame,
     levels: Frame,
-    /// Left and right of the divider, as far as the renderer draws them; 0x00RRGGBB.
+    /// Left and right of the divider, except for exact Phong; 0x00RRGGBB.
     pub sides: [Vec<u32>; 2],
     /// The picture by one kind of lights each, and by all; in quarters.
     pub terms: Vec<u32>,
@@ -72,6 +72,7 @@ impl Pictures {
             self.levels = levels(self.frame.workers().level());
         }
         if viewer.show == ViewMode::Wipe && viewer.sides != [Side::Reference; 2] {
+            let mut has_frame = false;
             for (side, pixels) in viewer.sides.iter().zip(&mut self.sides) {
                 let view = side_view(side, view);
                 memory::clear(pixels, view.map_or(0, |it| it.size[0] * it.size[1]));
@@ -79,10 +80,14 @@ impl Pictures {
                     if view.shading.is_none_or(ShadingMode::is_drawn) {
                         systems::draw(world, &view, &mut self.frame)?;
                         pixels.extend_from_slice(self.frame.pixels());
+                        has_frame = true;
                     } else {
                         draw_by_reference(world, &view, pixels);
                     }
                 }
+            }
+            if !has_frame {
+                systems::draw(world, view, &mut self.frame)?;
             }
             return Ok(());
         }

@@ -15,7 +15,7 @@ use glam::DVec3;
 use super::is_timed;
 use super::measurement::{Measurement, Request};
 use super::timing::Timing;
-use crate::components::{Light, LightKind, ShadingMode, View};
+use crate::components::{Light, LightKind, ShadingMode, TriangleId, View};
 use crate::output::Monitor;
 use crate::output::memory;
 use crate::questions::metrics::{Picture, compare};
@@ -68,6 +68,10 @@ pub async fn errors(
         if is_timed(*method) {
             systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
             counts = frame.counts();
+        } else {
+            let triangles = truths[&method.mode].triangles.iter();
+            let covered = triangles.filter(|it| **it != TriangleId::NONE).count();
+            counts.covered_pixels = covered as u64;
         }
         let against = |other| {
             if is_timed(*method) {

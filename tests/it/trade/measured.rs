@@ -248,6 +248,10 @@ fn views_with_little_or_nothing_to_measure_have_a_report() {
         assert!(!one.on_front);
     }
     assert_eq!(measured(&ordinary([1, 1], 1)).0.covered_pixels, 1);
+    // What is not timed has its pixels, too.
+    let mut by_reference = ordinary([1, 1], 1);
+    by_reference.methods.retain(|it| !it.mode.is_drawn());
+    assert_eq!(measured(&by_reference).0.covered_pixels, 1);
     // Without light or colour all methods draw the same black.
     let unlit: fn(&mut SceneRecord) = |record| record.light.clear();
     let black: fn(&mut SceneRecord) = |record| {

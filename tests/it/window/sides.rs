@@ -4,8 +4,10 @@ use std::time::Duration;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{Side, ViewMode};
+use glam::DVec3;
+use shadetrade::components::{ShadingMode, Side, ViewMode};
 use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::shading::Method;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::side_view;
@@ -78,13 +80,23 @@ fn two_pictures_take_turns_while_a_key_is_held() {
 }
 
 #[test]
-fn a_wipe_of_the_reference_against_itself_shows_it_at_any_size() {
-    let mut record = SceneRecord::of(&default_scene().world);
-    (record.view.show, record.view.sides) = (ViewMode::Wipe, [Side::Reference; 2]);
-    let mut window = Window::of(Scene::spawn("both".to_owned(), &record), SIZE);
-    for key in [Key::ArrowLeft, Key::E] {
-        window.press(key);
-        assert!(*window.app.shown() == window.comparison().exact);
+fn a_wipe_of_what_the_reference_draws_shows_it_at_any_size() {
+    let blinn = Method::of(ShadingMode::BlinnPhong, 0.0);
+    for side in [Side::Reference, blinn.into()] {
+        let mut record = SceneRecord::of(&default_scene().world);
+        (record.view.show, record.view.sides) = (ViewMode::Wipe, [side, Side::Reference]);
+        record.light[2].position = Some(DVec3::new(-6.0, 6.0, 10.0));
+        record.view.divider = 0.9;
+        let mut window = Window::of(Scene::spawn("both".to_owned(), &record), SIZE);
+        for key in [Key::ArrowLeft, Key::E] {
+            window.press(key);
+            let exact = &window.comparison().exact;
+            let is_exact = *window.app.shown() == *exact;
+            assert_eq!(is_exact, side == Side::Reference, "{key:?}");
+            let frame = &window.app.canvas.pictures.frame;
+            assert_eq!(frame.size(), window.app.canvas.size());
+            assert!(frame.counts().covered_pixels > 0, "else nothing is seen");
+        }
     }
 }
 
