@@ -44,13 +44,24 @@ fn difference(one: &(World, View), other: &(World, View)) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The difference of the modes in one scene.
-fn error(incidence: f64, shininess: f64, fov: f64) -> f64 {
-    let scene = |mode| {
+/// The difference of Blinn-Phong with `times` the exponent from Phong, in one scene.
+fn error_with(times: f64, incidence: f64, shininess: f64, fov: f64) -> f64 {
+    let scene = |mode, shininess| {
         let (world, view) = mirror(incidence, shininess, fov);
         (world, view.shaded(mode))
     };
-    difference(&scene(BlinnPhong), &scene(Phong))
+    // The method has four times the shininess.
+    let blinn = scene(BlinnPhong, shininess * times / 4.0);
+    difference(&blinn, &scene(Phong, shininess))
+}
+
+fn error(incidence: f64, shininess: f64, fov: f64) -> f64 {
+    error_with(4.0, incidence, shininess, fov)
+}
+
+/// The largest x - x^k, 0 < x < 1, as levels.
+fn law(k: f64) -> f64 {
+    255.0 * k.powf(-1.0 / (k - 1.0)) * (1.0 - 1.0 / k)
 }
 
 #[test]
@@ -72,11 +83,10 @@ fn the_difference_goes_with_the_angle_of_incidence() {
     }
 }
 
-/// 255 k^(-1/(k-1)) (1 - 1/k), k = 1 / cos^2 t.
 #[test]
 fn the_difference_does_not_depend_on_the_shininess() {
-    let k = 2.0_f64;
-    let known = 255.0 * k.powf(-1.0 / (k - 1.0)) * (1.0 - 1.0 / k);
+    // k = 1 / cos^2 t.
+    let known = law(2.0);
     for (shininess, fov) in [(50.0, 40.0), (800.0, 10.0), (2e4, 2.0)] {
         let found = error(45.0, shininess, fov);
         assert!(
@@ -100,16 +110,28 @@ fn head_on_little_is_left_at_a_low_shininess() {
 #[test]
 fn equal_exponents_differ_by_half_of_the_range() {
     for incidence in [0.0, 45.0] {
-        let (world, view) = mirror(incidence, 77.0 / 4.0, 60.0);
-        let (plain, _) = mirror(incidence, 77.0, 60.0);
-        let found = difference(
-            &(world, view.shaded(BlinnPhong)),
-            &(plain, view.shaded(Phong)),
-        );
+        let found = error_with(1.0, incidence, 77.0, 60.0);
         assert!(
             (120.0..123.0).contains(&found),
             "{found} at {incidence} degrees"
         );
+    }
+}
+
+/// It errs as much across the plane of incidence as in it.
+#[test]
+fn the_best_exponent_is_4_cos_t_times_as_large() {
+    for incidence in [30.0_f64, 45.0, 60.0] {
+        let cos = incidence.to_radians().cos();
+        let with = |times: f64| error_with(times, incidence, 800.0, 15.0);
+        let (best, known) = (with(4.0 * cos), law(1.0 / cos));
+        assert!(
+            (best - known).abs() < 0.02 * known,
+            "{best}, not {known}, at {incidence} degrees"
+        );
+        for other in [0.9, 1.1].map(|it| with(4.0 * cos * it)) {
+            assert!(other > 1.05 * best, "{other}, {best}");
+        }
     }
 }
 
