@@ -136,7 +136,8 @@ Examples:
 
 Every pixel is compared with an interval that encloses its exact level.
 Ends are found by bisection, to a hundredth of the range.
-Steps are logarithmic where both ends have one sign and a ratio of 10 or more.")]
+Steps are logarithmic where both ends have one sign and a ratio of 10 or more.
+Ranges end where nothing is drawn. Those of a camera's zoom are also given as heights of the cuboids in pixels.")]
     Vary(VaryOptions),
     /// Proves scenes with extreme numbers, each built in as `extremes/NAME`
     #[command(after_help = "\

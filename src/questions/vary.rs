@@ -33,7 +33,6 @@ use crate::questions::job::camera_name;
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::timing::of_batches;
 use crate::questions::trade::{self, is_timed};
-use crate::scene::key::Key;
 use crate::scene::unseen;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
@@ -60,9 +59,14 @@ pub struct Panel {
     pub curves: Vec<Curve>,
     /// Whether no picture differs from the first: the key moves nothing.
     pub is_still: bool,
-    /// Where the key is a camera's zoom, where each contender ceases to keep the tolerance as distances.
-    #[serde(skip)]
-    pub distances: Vec<String>,
+}
+
+impl Panel {
+    /// A sentence about where nothing is drawn.
+    pub fn emptiness(&self) -> Option<String> {
+        let places = self.curves.first()?.emptiness()?;
+        Some(format!("Nothing is drawn {places}."))
+    }
 }
 
 /// The result of the command.
@@ -121,35 +125,10 @@ impl Request {
         Ok(self.contenders.iter().map(median).collect())
     }
 
-    /// Where the key is the zoom of the camera in use, the ends of the ranges as distances of the eye from its target, and as
-    /// heights of the cuboids in the picture.
-    fn distances(&self, variable: &Variable, curves: &[Curve]) -> anyhow::Result<Vec<String>> {
-        let camera = camera_name(&self.drawing.scene.world);
-        let mut says = Vec::new();
-        if variable.key
-            != Key::from("camera")
-                .child(&camera)
-                .child("orbit")
-                .child("zoom")
-        {
-            return Ok(says);
-        }
-        for curve in curves {
-            let inner = |end: &f64| *end != variable.from && *end != variable.to;
-            for end in curve.keeps.as_flattened().iter().filter(|end| inner(end)) {
-                let world = self.scene(variable, *end)?.spawn();
-                let view = View::of(&world, self.drawing.size);
-                let distance = (view.camera.target - view.camera.position).length();
-                says.push(format!(
-                    "{}: zoom {} is {} units from the target, where the cuboids are {:.0} pixels high.",
-                    curve.method,
-                    export::number(*end),
-                    export::number(distance),
-                    unseen::height(&world, &view)
-                ));
-            }
-        }
-        Ok(says)
+    /// The height of the cuboids at a value, in pixels.
+    fn height(&self, variable: &Variable, value: f64) -> Option<f64> {
+        let world = self.scene(variable, value).ok()?.spawn();
+        unseen::height(&world, &View::of(&world, self.drawing.size))
     }
 
     /// Varies one key.
@@ -171,26 +150,27 @@ impl Request {
             times.push(self.times(&record, values.len(), monitor).await?);
         }
         let limit = limit(self.drawing.view().tolerance);
+        let is_zoom = variable.is_zoom(&self.drawing.scene.world);
         let mut curves = Vec::new();
         for (index, contender) in self.contenders.iter().enumerate() {
             let point = |(place, value): (usize, &f64)| Point {
                 value: *value,
-                error: found[place].of[index].error,
-                own_error: found[place].of[index].own_error,
+                found: found[place].of[index],
                 milliseconds: times.get(place).and_then(|times| times[index]),
             };
             let points = values.iter().enumerate().map(point).collect();
-            let mut keeps = |value: f64| {
+            let mut find = |value: f64| {
                 monitor.check()?;
                 let record = self.scene(variable, value)?;
                 let found = self.errors(&record, std::slice::from_ref(contender))?;
-                Ok(found.of[0].error[1] <= limit)
+                Ok(found.of.first().copied())
             };
-            curves.push(Curve::new(contender, variable, points, limit, &mut keeps)?);
+            let height = is_zoom.then_some(|value| self.height(variable, value));
+            let curve = Curve::new(contender, variable, points, limit, &mut find, height)?;
+            curves.push(curve);
             monitor.rest().await;
         }
         Ok(Panel {
-            distances: self.distances(variable, &curves)?,
             variable: variable.clone(),
             curves,
             is_still: found.iter().all(|it| it.hash == found[0].hash),

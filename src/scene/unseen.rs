@@ -64,16 +64,19 @@ pub fn shows_all(world: &World, view: &View) -> bool {
     corners.as_flattened().iter().all(is_inside)
 }
 
-/// The height of all cuboids in the picture, in pixels, if they are before the eye.
-pub fn height(world: &World, view: &View) -> f64 {
+/// The height of all cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
+pub fn height(world: &World, view: &View) -> Option<f64> {
     let lens = Lens::new(view);
     let corners = corners(world, view, &lens);
-    let rows = corners.as_flattened().iter();
-    let rows = rows.map(|corner| lens.pixel(lens.homogeneous(*corner))[1]);
-    let ends = rows.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], row| {
-        [least.min(row), most.max(row)]
-    });
-    (ends[1] - ends[0]).max(0.0)
+    let points = corners.as_flattened().iter();
+    let points = points.map(|corner| lens.homogeneous(*corner));
+    let rows = points.map(|point| (point.z > 0.0).then(|| lens.pixel(point)[1]));
+    let rows: Vec<f64> = rows.collect::<Option<_>>()?;
+    let [least, most] = [
+        rows.iter().copied().reduce(f64::min)?,
+        rows.into_iter().reduce(f64::max)?,
+    ];
+    Some(most - least)
 }
 
 /// The corners of each cuboid relative to the eye, along right, up and forward.

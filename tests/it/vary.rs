@@ -5,14 +5,15 @@
 use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
-use shadetrade::components::ShadingMode::{Gouraud, Phong};
-use shadetrade::components::{LightKind, View};
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use shadetrade::components::{LightKind, Projection, View};
 use shadetrade::output::CANCELLED;
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::displayed;
 use shadetrade::questions::prove::Verdict::{self, Proven, Refuted};
+use shadetrade::questions::vary::export;
 use shadetrade::questions::vary::picture::{Contender, Error, Errors, REFERENCE, TEXTBOOK, errors};
 use shadetrade::questions::vary::variable::Variable;
 use shadetrade::questions::vary::{Report, Request, measure};
@@ -29,6 +30,29 @@ use crate::support::records;
 use crate::support::scene::{draw, truth};
 
 const SIZE: [usize; 2] = [40, 30];
+
+/// A face two units high, seen along z, and a lamp above its middle.
+const LAMP: &str = "background = [0, 0, 0]
+[[cuboid]]
+name = \"box\"
+size = [2, 2, 2]
+shading = \"gouraud\"
+normals = \"face\"
+material = { ambient = [0, 0, 0], diffuse = [1, 1, 1], specular = [0, 0, 0], shininess = 1 }
+[[light]]
+name = \"lamp\"
+kind = \"diffuse\"
+color = [1, 1, 1]
+intensity = 255
+gain = 1
+position = [0, 0, 2]
+[[camera]]
+name = \"1\"
+position = [0, 0, 9]
+target = [0, 0, 0]
+fov = 20
+height = 3
+";
 
 fn scene(text: &str) -> SceneRecord {
     SceneRecord::of(&Scene::parse("varied", text).expect("a scene").world)
@@ -59,7 +83,12 @@ fn varied(record: &SceneRecord, text: &str, steps: usize) -> Report {
 }
 
 fn varied_over(record: &SceneRecord, variable: Variable, steps: usize) -> Report {
-    let request = Request {
+    let request = request(record, variable, steps);
+    finished(measure(&request, Monitor::NONE)).expect("it is measured")
+}
+
+fn request(record: &SceneRecord, variable: Variable, steps: usize) -> Request {
+    Request {
         drawing: Drawing {
             scene: Scene::spawn("varied".to_owned(), record),
             size: SIZE,
@@ -70,8 +99,7 @@ fn varied_over(record: &SceneRecord, variable: Variable, steps: usize) -> Report
         contenders: contenders(),
         steps,
         time: None,
-    };
-    finished(measure(&request, Monitor::NONE)).expect("it is measured")
+    }
 }
 
 #[test]
@@ -100,11 +128,8 @@ fn a_range_ends_where_the_error_passes_the_tolerance() {
         for (curve, contender) in panel.curves.iter().zip(contenders()) {
             for point in &curve.points {
                 let found = of(point.value, &contender);
-                assert_eq!(
-                    (found.error, found.own_error),
-                    (point.error, point.own_error)
-                );
-                let is_kept = point.error[1] <= 0.5;
+                assert_eq!(found, point.found);
+                let is_kept = found.pixels > 0 && found.error[1] <= 0.5;
                 let is_inside = |it: &[f64; 2]| (it[0]..=it[1]).contains(&point.value);
                 assert_eq!(curve.keeps.iter().any(is_inside), is_kept, "{text}");
             }
@@ -124,7 +149,7 @@ fn a_range_ends_where_the_error_passes_the_tolerance() {
                     };
                     let beyond = beyond.clamp(variable.from, variable.to);
                     let found = of(beyond, &contender);
-                    let is_worse = found.error[1] > 0.4;
+                    let is_worse = found.pixels == 0 || found.error[1] > 0.4;
                     assert!(
                         is_worse,
                         "{text}, {}: {end}, {beyond}: {found:?}",
@@ -133,6 +158,111 @@ fn a_range_ends_where_the_error_passes_the_tolerance() {
                 }
             }
         }
+    }
+}
+
+/// Cuboids that are too far away or beside the picture.
+#[test]
+fn values_at_which_nothing_is_drawn_are_no_evidence() {
+    let record = default_record();
+    for text in [
+        "camera.1.orbit.zoom=1..1000",
+        "camera.1.target.x=-40..40",
+        "camera.1.target.y=40..80",
+    ] {
+        let report = varied(&record, text, 9);
+        let panel = &report.keys[0];
+        let covered = |value: f64| {
+            let record = panel.variable.scene(&record, value).expect("it is legal");
+            let mut world = record.spawn();
+            let view = View::of(&world, SIZE);
+            draw(&mut world, &view, Keep::Levels)
+                .counts()
+                .covered_pixels
+        };
+        let is_in = |ranges: &[[f64; 2]], value: f64| {
+            ranges.iter().any(|it| (it[0]..=it[1]).contains(&value))
+        };
+        for curve in &panel.curves[..2] {
+            for point in &curve.points {
+                let is_empty = covered(point.value) == 0;
+                assert_eq!(point.found.pixels == 0, is_empty, "{text} {}", point.value);
+                assert_eq!(
+                    is_in(&curve.empty, point.value),
+                    is_empty,
+                    "{text} {}",
+                    point.value
+                );
+                assert!(
+                    !is_empty || !is_in(&curve.keeps, point.value),
+                    "{text} {}",
+                    point.value
+                );
+            }
+            for value in curve.keeps.as_flattened() {
+                assert!(covered(*value) > 0, "{text} {value}");
+            }
+            for value in curve.empty.as_flattened() {
+                assert_eq!(covered(*value), 0, "{text} {value}");
+            }
+        }
+        // Half a level is kept by Phong wherever it is drawn, and by Gouraud nowhere.
+        let [gouraud, phong, ..] = &panel.curves[..] else {
+            panic!("{report:?}");
+        };
+        assert!(
+            !phong.empty.is_empty() && gouraud.keeps.is_empty(),
+            "{text}"
+        );
+        assert_eq!(phong.keeps.is_empty(), text.contains(".y="), "{text}");
+        let said = export::text(&report);
+        assert!(said.contains("Nothing is drawn"), "{said}");
+    }
+}
+
+/// A face two units high, three units high in the picture, and seen along z.
+#[test]
+fn ranges_of_a_zoom_are_heights_of_the_cuboids() {
+    let mut record = scene(LAMP);
+    record.view.projection = Projection::Orthographic;
+    let report = varied(&record, "camera.1.orbit.zoom=1..100", 4);
+    let curve = &report.keys[0].curves[1];
+    let heights = curve.heights.as_ref().expect("it is a zoom");
+    assert!(!heights.is_empty());
+    let ends = curve.keeps.as_flattened().iter();
+    for (zoom, height) in ends.zip(heights.as_flattened()) {
+        let on_paper = 2.0 * SIZE[1] as f64 / (3.0 * zoom);
+        assert!((height - on_paper).abs() < 1e-9, "{zoom}: {height}");
+    }
+    // That of a camera that is not in use, or another key, has none.
+    for key in ["camera.2.orbit.zoom=1..100", "light.white.intensity=1..2"] {
+        let report = varied(&default_record(), key, 2);
+        assert!(report.keys[0].curves.iter().all(|it| it.heights.is_none()));
+    }
+}
+
+/// Odd sizes have a pixel in the middle, even ones have none.
+#[test]
+fn heights_at_which_a_method_does_are_those_of_every_size() {
+    let record = default_record();
+    let shortcut = Method::of(UnitVectors, 0.0);
+    for method in [Method::of(Gouraud, 0.5), shortcut] {
+        let heights = [[40, 30], [41, 31], [95, 70]].map(|size| {
+            let variable = Variable::parse("camera.1.orbit.zoom=1..1000", &record);
+            let mut request = request(&record, variable.expect("a range"), 31);
+            request.drawing.size = size;
+            request.contenders = vec![method.into()];
+            let report = finished(measure(&request, Monitor::NONE)).expect("it is measured");
+            let heights = report.keys[0].curves[0]
+                .heights
+                .clone()
+                .expect("it is a zoom");
+            // The largest at which it does, in pixels; 0 if it does at none.
+            heights.as_flattened().iter().copied().fold(0.0, f64::max)
+        });
+        let [least, most] = [f64::min, f64::max].map(|of| heights.into_iter().reduce(of));
+        let difference = most.expect("three") - least.expect("three");
+        assert!(difference <= 1.0, "{}: {heights:?}", method.id);
     }
 }
 
@@ -174,7 +304,11 @@ fn ends_in_random_scenes_hold_on_both_sides_before_an_independent_judge() {
         let upper = |value: f64| {
             let record = variable.scene(&record, value).expect("it is legal");
             let found = drawn_errors(&record, SIZE, &[gouraud.into()]);
-            let [least, most] = found.expect("a small picture fits").of[0].error;
+            let Error { error, pixels, .. } = found.expect("a small picture fits").of[0];
+            if pixels == 0 {
+                return f64::INFINITY;
+            }
+            let [least, most] = error;
             if let Some(judged) = judged(&record, gouraud) {
                 let is_within = (least - 1e-6..=most + 1e-6).contains(&judged);
                 assert!(is_within, "{case:?} {value}: {judged}, {least} to {most}");
@@ -270,14 +404,19 @@ fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
     };
     for point in &gouraud.points {
         assert!(
-            point.error[0] > 50.0 && point.own_error[1] <= 0.5,
+            point.found.error[0] > 50.0 && point.found.own_error[1] <= 0.5,
             "{point:?}"
         );
     }
     for curve in [phong, textbook, reference] {
-        assert!(curve.points.iter().all(|it| it.own_error == it.error));
+        assert!(
+            curve
+                .points
+                .iter()
+                .all(|it| it.found.own_error == it.found.error)
+        );
     }
-    assert!(reference.points.iter().all(|it| it.error[1] < 1e-9));
+    assert!(reference.points.iter().all(|it| it.found.error[1] < 1e-9));
     assert!(!report.keys[0].is_still);
     let mut record = default_record();
     record.light[0].on = false;
@@ -287,18 +426,8 @@ fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
 #[test]
 fn a_cancelled_work_ends() {
     let record = default_record();
-    let request = Request {
-        drawing: Drawing {
-            scene: Scene::load(None).expect("it is built in"),
-            size: SIZE,
-            threads: 1,
-            level: Level::new(),
-        },
-        variables: vec![Variable::parse("light.white.intensity=1..2", &record).expect("a range")],
-        contenders: contenders(),
-        steps: 2,
-        time: None,
-    };
+    let variable = Variable::parse("light.white.intensity=1..2", &record).expect("a range");
+    let request = request(&record, variable, 2);
     let monitor = Monitor {
         is_cancelled: &|| true,
         ..Monitor::NONE
@@ -310,28 +439,7 @@ fn a_cancelled_work_ends() {
 /// Gouraud with one cell on the face z = 1 under one light at height h above its middle: the error in the middle.
 #[test]
 fn a_lamp_above_a_face_errs_as_on_paper() {
-    let text = "background = [0, 0, 0]
-[[cuboid]]
-name = \"box\"
-size = [2, 2, 2]
-shading = \"gouraud\"
-normals = \"face\"
-material = { ambient = [0, 0, 0], diffuse = [1, 1, 1], specular = [0, 0, 0], shininess = 1 }
-[[light]]
-name = \"lamp\"
-kind = \"diffuse\"
-color = [1, 1, 1]
-intensity = 255
-gain = 1
-position = [0, 0, 2]
-[[camera]]
-name = \"1\"
-position = [0, 0, 9]
-target = [0, 0, 0]
-fov = 20
-height = 3
-";
-    let record = scene(text);
+    let record = scene(LAMP);
     let variable = Variable::parse("light.lamp.position.z=1.5..9", &record).expect("a range");
     for z in [1.5, 2.0, 4.0] {
         let record = variable.scene(&record, z).expect("it is legal");
@@ -487,7 +595,7 @@ fn f32_is_right_for_ordinary_numbers_and_fails_where_paper_predicts() {
 #[test]
 fn the_command_writes_what_it_prints() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let line = "vary camera.1.orbit.zoom=1..4 --steps 3 --size 40x30 --seconds 0 -o out --json";
+    let line = "vary camera.1.orbit.zoom=1..100 --steps 3 --size 40x30 --seconds 0 -o out --json";
     let (status, json) = cli::json(folder.path(), line);
     assert_eq!(status, Some(0));
     let file = std::fs::read(folder.path().join("out/vary.json")).expect("it is written");
@@ -500,16 +608,26 @@ fn the_command_writes_what_it_prints() {
     assert_eq!(cli::keys(panel), "key from to logarithmic curves is_still");
     assert_eq!(panel["key"], "camera.1.orbit.zoom");
     for curve in panel["curves"].as_array().expect("a list") {
-        assert_eq!(cli::keys(curve), "method points keeps is_undecided");
+        assert_eq!(
+            cli::keys(curve),
+            "method points keeps heights empty is_undecided"
+        );
         assert_eq!(
             cli::keys(&curve["points"][0]),
-            "value error own_error milliseconds"
+            "value error own_error pixels milliseconds"
         );
         let is_method = METHOD_IDS.contains(&curve["method"].as_str().expect("a name"));
         assert_eq!(curve["points"][2]["milliseconds"].is_null(), !is_method);
     }
     let svg = std::fs::read_to_string(folder.path().join("out/vary.svg")).expect("it is written");
-    for text in ["camera.1.orbit.zoom", "gouraud-0.5", "textbook-f32", "ms"] {
+    let all = [
+        "camera.1.orbit.zoom",
+        "gouraud-0.5",
+        "textbook-f32",
+        "ms",
+        "Nothing is drawn",
+    ];
+    for text in all {
         assert!(svg.contains(text), "{text}");
     }
 }

@@ -2,8 +2,10 @@
 
 use serde::Serialize;
 
-use super::picture::Contender;
+use super::export::number;
+use super::picture::{Contender, Error};
 use super::variable::Variable;
+use crate::output::words::{interval, short};
 use crate::questions::prove::Verdict;
 
 /// Ends are searched to this share of the range.
@@ -13,12 +15,17 @@ pub const RESOLUTION: f64 = 0.01;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Point {
     pub value: f64,
-    /// The bounds of the largest error against exact Phong, in levels.
-    pub error: [f64; 2],
-    /// The same against the contender's own definition.
-    pub own_error: [f64; 2],
+    #[serde(flatten)]
+    pub found: Error,
     /// The median time of a frame, if it was measured.
     pub milliseconds: Option<f64>,
+}
+
+impl Point {
+    /// The largest error against exact Phong, by its upper bound in levels, if a cuboid is seen.
+    pub fn error(&self) -> Option<f64> {
+        (self.found.pixels > 0).then_some(self.found.error[1])
+    }
 }
 
 /// The errors of a contender over the range.
@@ -29,74 +36,121 @@ pub struct Curve {
     /// The ranges in which the error is proven to be within the tolerance, from the first value to the last. Each of their ends
     /// keeps it, and does not a hundredth of the range beyond.
     pub keeps: Vec<[f64; 2]>,
-    /// Whether nothing is refuted outside of these ranges.
+    /// Where the key is the zoom of the camera in use, the heights of the cuboids at the ends of `keeps`, in pixels.
+    pub heights: Option<Vec<[f64; 2]>>,
+    /// The ranges in which no compared pixel shows a cuboid, with such ends.
+    pub empty: Vec<[f64; 2]>,
+    /// Whether there are points with cuboids outside of `keeps`, and none is refuted.
     pub is_undecided: bool,
 }
 
 impl Curve {
-    /// Finds the ranges between points. `keeps` says whether a value keeps the limit.
+    /// Finds the ranges between points. `find` gives the errors at a value, where they can be known, and `height`
+    /// that of the cuboids, where the key is a zoom.
     ///
     /// # Errors
-    /// Those of `keeps`.
+    /// Those of `find`.
     pub fn new(
         contender: &Contender,
         variable: &Variable,
         points: Vec<Point>,
         limit: f64,
-        keeps: &mut impl FnMut(f64) -> anyhow::Result<bool>,
+        find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
+        height: Option<impl Fn(f64) -> Option<f64>>,
     ) -> anyhow::Result<Self> {
-        let verdict = |point: &Point| Verdict::of(point.error, limit);
-        let is_kept = |point: &Point| verdict(point) == Verdict::Proven;
-        let mut ranges: Vec<[f64; 2]> = Vec::new();
-        for (place, point) in points.iter().enumerate().filter(|it| is_kept(it.1)) {
-            let before = place.checked_sub(1).map(|place| &points[place]);
-            match (before, ranges.last_mut()) {
-                (Some(before), Some(range)) if is_kept(before) => range[1] = point.value,
-                (Some(before), _) => {
-                    let end = end(variable, [point.value, before.value], keeps)?;
-                    ranges.push([end, point.value]);
-                }
-                (None, _) => ranges.push([point.value; 2]),
-            }
-            if let Some(next) = points.get(place + 1).filter(|it| !is_kept(it))
-                && let Some(range) = ranges.last_mut()
-            {
-                range[1] = end(variable, [point.value, next.value], keeps)?;
-            }
-        }
+        let drawn = points.iter().filter(|it| it.found.pixels > 0);
+        let verdicts = drawn.map(|it| Verdict::of(it.found.error, limit));
+        let worst = verdicts.max().unwrap_or(Verdict::Proven);
+        let keeps = ranges(variable, &points, |found| found.keeps(limit), find)?;
+        let heights = height.and_then(|height| {
+            let of_range = |[from, to]: &[f64; 2]| Some([height(*from)?, height(*to)?]);
+            keeps.iter().map(of_range).collect()
+        });
         Ok(Curve {
             method: contender.id,
-            is_undecided: points.iter().all(|it| verdict(it) != Verdict::Refuted),
-            keeps: ranges,
+            is_undecided: worst == Verdict::Undecided,
+            heights,
+            keeps,
+            empty: ranges(variable, &points, |found| found.pixels == 0, find)?,
             points,
         })
     }
 
-    /// The ranges in words: where the tolerance is kept.
-    pub fn kept(&self, text: impl Fn(f64) -> String) -> String {
+    /// Ranges of it in words.
+    pub fn places(&self, ranges: &[[f64; 2]]) -> String {
         let [Some(first), Some(last)] = [self.points.first(), self.points.last()] else {
             return "nowhere".to_owned();
         };
         let range = |[from, to]: &[f64; 2]| match [*from == first.value, *to == last.value] {
             [true, true] => "everywhere".to_owned(),
-            [true, false] => format!("up to {}", text(*to)),
-            [false, true] => format!("from {} on", text(*from)),
-            [false, false] if from == to => format!("at {}", text(*from)),
-            [false, false] => format!("from {} to {}", text(*from), text(*to)),
+            [true, false] => format!("up to {}", number(*to)),
+            [false, true] => format!("from {} on", number(*from)),
+            [false, false] if from == to => format!("at {}", number(*from)),
+            [false, false] => format!("from {} to {}", number(*from), number(*to)),
         };
-        let ranges: Vec<String> = self.keeps.iter().map(range).collect();
+        let ranges: Vec<String> = ranges.iter().map(range).collect();
         if ranges.is_empty() {
             return "nowhere".to_owned();
         }
         ranges.join(", ")
     }
+
+    /// Where the tolerance is kept, in words.
+    pub fn kept(&self) -> String {
+        let places = self.places(&self.keeps);
+        let heights = self.heights.as_deref().unwrap_or_default().iter();
+        let heights = heights.map(|[from, to]| interval([from.min(*to), from.max(*to)], short));
+        let heights: Vec<String> = heights.collect();
+        if heights.is_empty() {
+            return places;
+        }
+        format!(
+            "{places}, where the cuboids are {} pixels high",
+            heights.join(" or ")
+        )
+    }
+
+    /// Where no compared pixel shows a cuboid, in words, if there is such a range.
+    pub fn emptiness(&self) -> Option<String> {
+        let places = self.places(&self.empty);
+        (!self.empty.is_empty()).then(|| places.replace("everywhere", "anywhere"))
+    }
 }
 
-/// The last value that keeps the limit, on the way from one that does to one that does not.
+/// The ranges in which errors are `sought`, from the first value to the last.
+fn ranges(
+    variable: &Variable,
+    points: &[Point],
+    sought: impl Fn(&Error) -> bool,
+    find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
+) -> anyhow::Result<Vec<[f64; 2]>> {
+    let is_in = |point: &Point| sought(&point.found);
+    let holds = &mut |value| Ok(find(value)?.as_ref().is_some_and(&sought));
+    let mut ranges: Vec<[f64; 2]> = Vec::new();
+    for (place, point) in points.iter().enumerate().filter(|it| is_in(it.1)) {
+        let before = place.checked_sub(1).map(|place| &points[place]);
+        match (before, ranges.last_mut()) {
+            (Some(before), Some(range)) if is_in(before) => range[1] = point.value,
+            (Some(before), _) => {
+                let end = end(variable, [point.value, before.value], holds)?;
+                ranges.push([end, point.value]);
+            }
+            (None, _) => ranges.push([point.value; 2]),
+        }
+        if let Some(next) = points.get(place + 1).filter(|it| !is_in(it))
+            && let Some(range) = ranges.last_mut()
+        {
+            range[1] = end(variable, [point.value, next.value], holds)?;
+        }
+    }
+    Ok(ranges)
+}
+
+/// The last value of a range, on the way from one inside to one outside. `holds` says whether a value is inside.
 fn end(
     variable: &Variable,
     [kept, lost]: [f64; 2],
-    keeps: &mut impl FnMut(f64) -> anyhow::Result<bool>,
+    holds: &mut impl FnMut(f64) -> anyhow::Result<bool>,
 ) -> anyhow::Result<f64> {
     let [mut inside, mut outside] = [kept, lost].map(|value| variable.share(value));
     let mut last = kept;
@@ -106,7 +160,7 @@ fn end(
         if value == last || value == lost {
             break;
         }
-        if keeps(value)? {
+        if holds(value)? {
             (inside, last) = (share, value);
         } else {
             outside = share;

@@ -1,7 +1,6 @@
 //! The ranges in which contenders keep the tolerance, as text for a terminal.
 
-use super::curve::Curve;
-use super::{Panel, Report};
+use super::{Curve, Panel, Point, Report};
 use crate::output::tables::{aligned, wrapped};
 use crate::output::words::{capital, rounded, short};
 use crate::questions::trade::verdict::method_name;
@@ -47,17 +46,13 @@ fn of_panel(panel: &Panel, limit: f64) -> String {
     let mut head = vec!["method", &keeps, &at[0], &at[1], "own"];
     head.extend(has_times.then_some("ms"));
     let rows = panel.curves.iter().map(|curve| {
-        let doubt = if curve.is_undecided && curve.has_end() {
-            " ?"
-        } else {
-            ""
-        };
+        let doubt = if curve.is_undecided { " ?" } else { "" };
         let ends = [curve.points.first(), curve.points.last()];
-        let [first, last] = ends.map(|it| short(it.map(|it| it.error[1])));
+        let [first, last] = ends.map(|it| short(it.and_then(Point::error)));
         let own = curve
             .points
             .iter()
-            .map(|it| it.own_error[1])
+            .map(|it| it.found.own_error[1])
             .fold(0.0, f64::max);
         let times = has_times.then(|| {
             let ends = curve.milliseconds();
@@ -65,7 +60,7 @@ fn of_panel(panel: &Panel, limit: f64) -> String {
         });
         let cells = [
             curve.method.to_owned(),
-            curve.kept(number) + doubt,
+            curve.places(&curve.keeps) + doubt,
             first,
             last,
             short(own),
@@ -75,12 +70,12 @@ fn of_panel(panel: &Panel, limit: f64) -> String {
     let table = aligned(&head, rows);
     // The table has those that keep it everywhere or nowhere.
     let key = &variable.key;
-    let ends = panel.curves.iter().filter(|it| it.has_end());
+    let ends = panel.curves.iter().filter(|it| it.has_end(limit));
     let says = ends.map(|curve| {
-        let place = curve.kept(|value| format!("{key} {}", number(value)));
-        format!("{} keeps {} {place}.", name(curve.method), levels(limit))
+        let (name, kept) = (name(curve.method), curve.kept());
+        format!("{name} keeps {} {kept}.", levels(limit))
     });
-    let says: Vec<String> = says.chain(panel.distances.clone()).collect();
+    let says: Vec<String> = says.chain(panel.emptiness()).collect();
     let text = format!("{key} from {from} to {to}\n\n{table}");
     if says.is_empty() {
         return text;
@@ -97,9 +92,10 @@ fn levels(limit: f64) -> String {
 }
 
 impl Curve {
-    /// Whether the tolerance is kept in a part of the range.
-    fn has_end(&self) -> bool {
-        !["everywhere", "nowhere"].contains(&self.kept(number).as_str())
+    /// Whether the limit is kept somewhere, but not wherever a cuboid is drawn.
+    fn has_end(&self, limit: f64) -> bool {
+        let is_lost = |it: &Point| it.found.pixels > 0 && !it.found.keeps(limit);
+        !self.keeps.is_empty() && self.points.iter().any(is_lost)
     }
 
     /// The least and the largest time of a frame, if times were measured.

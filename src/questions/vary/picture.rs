@@ -1,16 +1,20 @@
 //! The errors of contenders in one picture, between proven bounds.
 
+use std::array::from_fn;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
 
 use fearless_simd::Level;
 use hecs::World;
+use serde::Serialize;
 
 use crate::components::{Segments, ShadingMode, View};
 use crate::output::Monitor;
-use crate::questions::prove::{nearest, shown};
+use crate::output::memory::OutOfMemory;
+use crate::questions::prove::{Verdict, nearest, shown};
 use crate::reference::{Interval, Real, Reference, Seen};
-use crate::scene::SceneRecord;
+use crate::scene::{SceneRecord, unseen};
 use crate::shading::{METHODS, Method};
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers};
@@ -56,15 +60,45 @@ impl Contender {
         let is_usual = |it: &Contender| ids.contains(&it.id) || it.method.is_none();
         Contender::all().filter(is_usual).collect()
     }
+
+    /// The frame of what the renderer draws.
+    fn draw(
+        self,
+        world: &mut World,
+        view: &View,
+        level: Level,
+    ) -> Result<Option<Frame>, OutOfMemory> {
+        let drawn = self.method.filter(|it| it.mode.is_drawn());
+        let frame = drawn.map(|method| {
+            let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+            systems::draw(world, &method.view(view), &mut frame).map(|()| frame)
+        });
+        frame.transpose()
+    }
+
+    /// Its mode and its segments; `None` is exact Phong.
+    fn definition(self) -> Option<(ShadingMode, Option<usize>)> {
+        let method = self.method.filter(|it| it.mode != ShadingMode::Phong);
+        method.map(|it| (it.mode, it.segments.map(Segments::count)))
+    }
 }
 
 /// The bounds of the largest error of a contender, in levels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Error {
     /// Against exact Phong.
     pub error: [f64; 2],
     /// Against the contender's own definition.
     pub own_error: [f64; 2],
+    /// The compared pixels in which the contender shows a cuboid. Without one the errors are no evidence.
+    pub pixels: usize,
+}
+
+impl Error {
+    /// Whether a cuboid is seen, and the error against exact Phong is proven to be within the limit.
+    pub fn keeps(&self, limit: f64) -> bool {
+        self.pixels > 0 && Verdict::of(self.error, limit) == Verdict::Proven
+    }
 }
 
 /// The errors of a picture.
@@ -72,14 +106,16 @@ pub struct Error {
 pub struct Errors {
     /// By contender.
     pub of: Vec<Error>,
-    /// Of all drawn levels.
+    /// Of the background, and of all pixels that show a cuboid.
     pub hash: u64,
+    /// The height of the cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
+    pub height: Option<f64>,
 }
 
 /// The pixels of a contender: the face at each, and its levels.
 type Shown<'a> = Box<dyn Fn([usize; 2]) -> (Option<usize>, [f64; 3]) + 'a>;
 
-/// Draws the picture of a scene from its active camera by each contender, and compares every pixel with enclosures; also with
+/// Draws the picture of a scene from its active camera by each contender, and compares every pixel near cuboids with enclosures; also with
 /// those of the contender's own definition if `has_own`, else the own errors are 0.
 ///
 /// # Errors
@@ -95,16 +131,10 @@ pub async fn errors(
     let mut world = record.spawn();
     let view = View::of(&world, size);
     let phong = view.shaded(ShadingMode::Phong);
-    let mut frames = Vec::new();
-    for contender in contenders {
-        let drawn = contender.method.filter(|it| it.mode.is_drawn());
-        let frame = drawn.map(|method| {
-            let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-            let drawn = systems::draw(&mut world, &method.view(&view), &mut frame);
-            drawn.map(|()| frame)
-        });
-        frames.push(frame.transpose()?);
-    }
+    let drawn = contenders
+        .iter()
+        .map(|it| it.draw(&mut world, &view, level));
+    let frames = drawn.collect::<Result<Vec<_>, _>>()?;
     let pictures = contenders.iter().zip(&frames).map(|(contender, frame)| {
         frame.as_ref().map_or_else(
             || {
@@ -119,14 +149,9 @@ pub async fn errors(
         )
     });
     let pictures: Vec<Shown> = pictures.collect();
-    // The definition of a contender: its mode and its segments.
-    let definition = |contender: &Contender| {
-        let method = contender.method.filter(|it| it.mode != ShadingMode::Phong);
-        method.map(|it| (it.mode, it.segments.map(Segments::count)))
-    };
     let mut own = HashMap::new();
     for contender in contenders.iter().filter(|_| has_own) {
-        if let Some((definition, method)) = definition(contender).zip(contender.method) {
+        if let Some((definition, method)) = contender.definition().zip(contender.method) {
             let view = method.view(&view);
             own.entry(definition)
                 .or_insert_with(|| Reference::<Interval>::new(&world, &view));
@@ -136,21 +161,28 @@ pub async fn errors(
     let mut found = Errors {
         of: vec![Error::default(); contenders.len()],
         hash: 0,
+        height: unseen::height(&world, &view),
     };
     let mut hasher = DefaultHasher::new();
-    for y in 0..size[1] {
-        exact.row(y, |x, seen| {
+    let bits = |levels: [f64; 3]| levels.map(f64::to_bits);
+    bits(view.background.to_array()).hash(&mut hasher);
+    let [columns, rows] = bounds(&exact);
+    for y in rows {
+        exact.part_of_row(y, columns.clone(), |x, seen| {
             for (picture, error) in pictures.iter().zip(&mut found.of) {
                 let (face, levels) = picture([x, y]);
-                levels.map(f64::to_bits).hash(&mut hasher);
+                if face.is_some() {
+                    error.pixels += 1;
+                    ([x, y], bits(levels)).hash(&mut hasher);
+                }
                 enlarge(&mut error.error, face, levels, seen);
             }
         });
         for (definition_of, reference) in &own {
-            reference.row(y, |x, seen| {
+            reference.part_of_row(y, columns.clone(), |x, seen| {
                 let all = contenders.iter().zip(&pictures).zip(&mut found.of);
                 for ((contender, picture), error) in all {
-                    if definition(contender).as_ref() == Some(definition_of) {
+                    if contender.definition().as_ref() == Some(definition_of) {
                         let (face, levels) = picture([x, y]);
                         enlarge(&mut error.own_error, face, levels, seen);
                     }
@@ -161,12 +193,25 @@ pub async fn errors(
         monitor.rest().await;
     }
     for (contender, error) in contenders.iter().zip(&mut found.of) {
-        if definition(contender).is_none() {
+        if contender.definition().is_none() {
             error.own_error = error.error;
         }
     }
     found.hash = hasher.finish();
     Ok(found)
+}
+
+/// The columns and rows of a picture in which cuboids may be seen.
+fn bounds(exact: &Reference<Interval>) -> [Range<usize>; 2] {
+    let around = |one: [Range<usize>; 2], other: [Range<usize>; 2]| {
+        from_fn(|side| {
+            let (one, other) = (&one[side], &other[side]);
+            one.start.min(other.start)..one.end.max(other.end)
+        })
+    };
+    let is_seen = |sides: &[Range<usize>; 2]| sides.iter().all(|side| !side.is_empty());
+    let seen = exact.bounds().into_iter().filter(is_seen);
+    seen.reduce(around).unwrap_or_default()
 }
 
 /// Phong by the reference in another arithmetic.

@@ -11,8 +11,8 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::curve::Curve;
-use super::{Panel, Report, Variable};
+use super::export::number;
+use super::{Curve, Panel, Point, Report, Variable};
 use crate::output::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 use crate::output::words::rounded;
 use crate::shading::limit;
@@ -65,18 +65,18 @@ fn key(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
 
 /// Draws one panel.
 fn draw(area: &Area, panel: &Panel, limit: f64) -> anyhow::Result<()> {
-    let name = panel.variable.key.to_string();
+    let note = panel.emptiness().map(|note| format!(". {note}"));
+    let name = format!("{}{}", panel.variable.key, note.unwrap_or_default());
     area.draw_text(&name, &text_style(13.0, INK), (58, 8))?;
     let has_times = panel.curves.iter().any(|it| it.milliseconds().is_some());
     let (errors, times) = area.split_vertically(if has_times { PANEL.1 - TIMES } else { PANEL.1 });
     let largest =
-        |curve: &Curve| -> Vec<f64> { curve.points.iter().map(|it| it.error[1]).collect() };
+        |curve: &Curve| -> Vec<f64> { curve.points.iter().filter_map(Point::error).collect() };
     let all = panel.curves.iter().flat_map(largest).filter(|it| *it > 0.0);
     let least = all.fold(limit.max(1e-3), f64::min).log10().floor();
     let range = 10.0_f64.powf(least).max(LEAST)..MOST;
-    lines(&errors, panel, ("levels", range), Some(limit), &|it| {
-        Some(it.error[1])
-    })?;
+    let axis = ("levels", range);
+    lines(&errors, panel, axis, Some(limit), &Point::error)?;
     if has_times {
         let spans = panel.curves.iter().filter_map(Curve::milliseconds);
         let ends = spans.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]);
@@ -92,7 +92,7 @@ fn lines(
     panel: &Panel,
     y: Axis,
     limit: Option<f64>,
-    value: &dyn Fn(&super::Point) -> Option<f64>,
+    value: &dyn Fn(&Point) -> Option<f64>,
 ) -> anyhow::Result<()> {
     let least = y.1.start;
     let axis = Positions(&panel.variable);
@@ -106,9 +106,13 @@ fn lines(
         chart.draw_series([PathElement::new(line, INK.mix(0.6).stroke_width(1))])?;
     }
     for (curve, color) in panel.curves.iter().zip(COLORS.into_iter().cycle()) {
-        let point = |it: &super::Point| Some((axis.of(it.value), value(it)?.max(least)));
-        let line: Vec<(f64, f64)> = curve.points.iter().filter_map(point).collect();
-        chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;
+        let point = |it: &Point| Some((axis.of(it.value), value(it)?.max(least)));
+        // A line ends where there is no evidence.
+        let runs = curve.points.split(|it| value(it).is_none());
+        for run in runs.filter(|run| run.len() > 1) {
+            let line: Vec<(f64, f64)> = run.iter().filter_map(point).collect();
+            chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;
+        }
     }
     Ok(())
 }
@@ -124,7 +128,7 @@ impl Positions<'_> {
     }
 
     fn label(&self, position: f64) -> String {
-        super::export::number(rounded(self.0.at(position.log10()), 6))
+        number(rounded(self.0.at(position.log10()), 6))
     }
 
     /// The places of round values.

@@ -15,7 +15,6 @@ use super::picture::{Contender, Errors, TEXTBOOK, errors};
 use super::variable::Variable;
 use crate::components::{ShadingMode, Viewer};
 use crate::output::Monitor;
-use crate::questions::prove::Verdict;
 use crate::questions::trade::verdict::UNSEEN;
 use crate::scene::SceneRecord;
 use crate::shading::{Method, limit};
@@ -38,6 +37,8 @@ pub struct Refined {
     /// By value.
     found: Vec<(f64, Errors)>,
     pub is_all: bool,
+    /// Whether the variable is the zoom of the camera.
+    is_zoom: bool,
 }
 
 /// Both modes within the tolerance, and two shortcuts.
@@ -74,6 +75,7 @@ impl Refined {
         let [width, height] = size.map(|side| side as f64);
         let smaller = (PIXELS / (width * height)).sqrt().min(1.0);
         Ok(Refined {
+            is_zoom: variable.is_zoom(&scene.spawn()),
             variable,
             limit: limit(kept),
             size: [width, height].map(|side| (side * smaller).ceil().max(1.0) as usize),
@@ -130,8 +132,7 @@ impl Refined {
             return Some(*end);
         }
         let is_kept = |errors: &Errors| -> Vec<bool> {
-            let verdicts = errors.of.iter().map(|it| Verdict::of(it.error, self.limit));
-            verdicts.map(|it| it == Verdict::Proven).collect()
+            errors.of.iter().map(|it| it.keeps(self.limit)).collect()
         };
         let gaps = self.found.windows(2).filter_map(|pair| {
             let [from, to] = [&pair[0], &pair[1]].map(|it| variable.share(it.0));
@@ -148,17 +149,28 @@ impl Refined {
     /// The curves as far as they are known, each with its method; `None` is the textbook's formula in f32.
     pub fn curves(&self) -> Vec<(Option<Method>, Curve)> {
         let contenders = contenders(self.scene.view.tolerance);
+        let height = |value: f64| {
+            let found = self.found.iter().find(|it| it.0 == value)?;
+            found.1.height
+        };
         let curve = |(index, contender): (usize, &Contender)| {
             let point = |(value, errors): &(f64, Errors)| Point {
                 value: *value,
-                error: errors.of[index].error,
-                own_error: errors.of[index].own_error,
+                found: errors.of[index],
                 milliseconds: None,
             };
             let points = self.found.iter().map(point).collect();
             // Between two values nothing is known.
-            let unknown = &mut |_| Ok(false);
-            let curve = Curve::new(contender, &self.variable, points, self.limit, unknown);
+            let unknown = &mut |_| Ok(None);
+            let height = self.is_zoom.then_some(height);
+            let curve = Curve::new(
+                contender,
+                &self.variable,
+                points,
+                self.limit,
+                unknown,
+                height,
+            );
             Some((contender.method, curve.ok()?))
         };
         contenders.iter().enumerate().filter_map(curve).collect()

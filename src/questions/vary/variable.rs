@@ -1,11 +1,13 @@
 //! A number of a scene and the range over which it varies.
 
 use anyhow::{Context, bail, ensure};
+use hecs::World;
 use serde::{Serialize, Serializer};
 use toml::Value;
 
 use crate::components::range;
 use crate::output::chart::ticks;
+use crate::questions::job::camera_name;
 use crate::scene::SceneRecord;
 use crate::scene::key::{self, Key};
 
@@ -128,6 +130,12 @@ impl Variable {
             }
         };
         Variable::new(key, [from.min(value), to.max(value)], record)
+    }
+
+    /// Whether it is the zoom of the camera in use.
+    pub fn is_zoom(&self, world: &World) -> bool {
+        let camera = Key::from("camera").child(&camera_name(world));
+        self.key == camera.child("orbit").child("zoom")
     }
 
     /// A value on a scale on which steps are even. The ratio of two legal values may overflow, their logarithms do not.

@@ -147,9 +147,12 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
             let name = method.map_or_else(|| "textbook in f32".to_owned(), method_name);
             let name = ui.colored_label(ink(*method), capital(&name));
             name.on_hover_text(says(*method));
-            let kept = curve.kept(in_words);
+            let kept = curve.kept();
             ui.weak(format!("within {} of exact Phong: {kept}", wanted.limit));
         });
+    }
+    if let Some(places) = curves.iter().find_map(|it| it.1.emptiness()) {
+        ui.weak(format!("No compared pixel shows a cuboid {places}."));
     }
     ui.separator();
     ui.weak(ABOUT);
@@ -171,7 +174,9 @@ fn places(variable: &Variable, curve: &Curve) -> Vec<[f64; 2]> {
     let [least, most] = ERRORS;
     let place = |value: f64, error: f64| [variable.share(value), error.clamp(least, most).log10()];
     let points = curve.points.iter();
-    points.map(|it| place(it.value, it.error[1])).collect()
+    points
+        .filter_map(|it| Some(place(it.value, it.error()?)))
+        .collect()
 }
 
 /// Lays out the curves, with lines at the limit and at the present value. Returns what a drag or a click chooses.

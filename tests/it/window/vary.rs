@@ -84,7 +84,7 @@ fn curves_reach_from_end_to_end_and_end_within_a_hundredth() {
             let ends = [curve.points.first(), curve.points.last()].map(|it| it.map(|it| it.value));
             assert_eq!(ends, [Some(variable.from), Some(variable.to)], "{key}");
             for pair in curve.points.windows(2) {
-                let is_kept = |at: usize| Verdict::of(pair[at].error, 0.5) == Verdict::Proven;
+                let is_kept = |at: usize| Verdict::of(pair[at].found.error, 0.5) == Verdict::Proven;
                 let gap = variable.share(pair[1].value) - variable.share(pair[0].value);
                 let is_next =
                     variable.key.last() == "segments" && pair[1].value - pair[0].value < 1.5;
@@ -133,7 +133,7 @@ fn the_line_is_dragged_and_a_click_on_a_curve_chooses_its_method() {
     press(&mut harness, Press::P);
     let mode = |harness: &Harness<App>| common_mode(&harness.state().document.scene.world);
     assert_eq!(mode(&harness), Some(ShadingMode::Phong));
-    let height = (gouraud.error[1] / 1e-4).log10() / (500.0_f64 / 1e-4).log10();
+    let height = (gouraud.found.error[1] / 1e-4).log10() / (500.0_f64 / 1e-4).log10();
     let up = area.bottom() - area.height() * height as f32;
     click(
         &mut harness,
@@ -208,6 +208,6 @@ fn work_in_pieces_finds_the_same() {
             .zip(&at_once)
             .all(|(one, other)| one.1 == other.1)
     );
-    // A pause after each row of five small pictures.
-    assert!(polls >= 5 * 50, "{polls}");
+    // A pause after each row of cuboids in five pictures.
+    assert!(polls >= 5 * 30, "{polls}");
 }
