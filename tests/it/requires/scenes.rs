@@ -85,6 +85,9 @@ fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
             assert!(least <= largest + ROUNDING, "{what}");
             assert!(change.pixels <= changed, "{changed} pixels: {what}");
             assert!(!keeps || certain <= limit, "{what}");
+            // Only a pixel that may show several surfaces makes a part required that f64 does not require.
+            let all_certain = is_certain_in_full.iter().chain(&is_certain).all(|it| *it);
+            assert!(keeps || largest > limit || !all_certain, "{what}");
             all += 1;
             required += u32::from(!keeps);
             false_alarms += u32::from(!keeps && largest <= limit);
@@ -92,5 +95,5 @@ fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
     }
     println!("{all} parts: {required} required, {false_alarms} of them not according to f64");
     assert!(required > all / 10 && required < all * 9 / 10);
-    assert!(false_alarms * 50 <= required);
+    assert!(false_alarms * 20 <= required);
 }

@@ -164,7 +164,7 @@ pub fn with_own_names(mut record: SceneRecord) -> SceneRecord {
     fn tell_apart<'a>(names: impl Iterator<Item = &'a mut String>) {
         let mut known = Vec::new();
         for name in names {
-            if ["", "all", "none"].contains(&&**name) || known.contains(name) {
+            while ["", "all", "none"].contains(&&**name) || known.contains(name) {
                 *name = format!("{name} {}", known.len());
             }
             known.push(name.clone());
