@@ -171,6 +171,7 @@ impl TradeOptions {
             methods,
             time: self.seconds,
             is_report: true,
+            must_fit: self.methods.is_some(),
         })
     }
 }

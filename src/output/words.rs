@@ -57,6 +57,24 @@ pub fn pace(one: [f64; 2], other: [f64; 2]) -> String {
     }
 }
 
+/// The largest range of a ratio that is told, as the ratio of its ends.
+const NARROW: f64 = 1.5;
+
+/// Whether the ratio of two times is known well, from their ranges. A time that is too short for the clock has none.
+pub fn is_narrow(one: [f64; 2], other: [f64; 2]) -> bool {
+    let range = one[1] / one[0] * (other[1] / other[0]);
+    range <= NARROW || !range.is_finite()
+}
+
+/// As [`pace`], where the ratio is known well.
+pub fn sure_pace(one: [f64; 2], other: [f64; 2]) -> String {
+    if is_narrow(one, other) {
+        pace(one, other)
+    } else {
+        "not sure yet how fast against".to_owned()
+    }
+}
+
 /// The text with a capital letter first.
 pub fn capital(text: &str) -> String {
     let (first, rest) = text.split_at(text.chars().next().map_or(0, char::len_utf8));

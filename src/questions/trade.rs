@@ -30,7 +30,7 @@ pub mod verdict;
 use std::path::Path;
 
 use self::machine::Machine;
-pub use self::measurement::{Measurement, Report, Request};
+pub use self::measurement::{LeftOut, Measured, Measurement, Report, Request};
 use self::timing::Batch;
 use crate::output::Monitor;
 use crate::output::files;
@@ -43,31 +43,36 @@ use crate::shading::Method;
 /// The files of a report.
 pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
 
-/// Measures the methods of `request`. Errors that are `known` from the same view are not computed again, and of two timings
-/// the one with more samples stays. `time_batch` times the batch with this number.
+/// Measures the methods of `request`. What is `known` from the same view is not computed again, and of two timings
+/// the one with more samples stays. `time_batch` times the batch with this number of a request.
 ///
 /// # Errors
 /// If memory or threads do not suffice, or the work is cancelled.
 pub async fn measure(
     request: &Request,
-    known: &[Measurement],
+    known: &Measured,
     time_batch: impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
     monitor: Monitor<'_>,
-) -> anyhow::Result<Vec<Measurement>> {
-    let of_method = |method: &Method| known.iter().find(|it| it.method == *method);
+) -> anyhow::Result<Measured> {
+    let of_method = |method: &Method| known.methods.iter().find(|it| it.method == *method);
     let mut unknown = request.methods.clone();
-    unknown.retain(|it| of_method(it).is_none());
-    let mut errors = accuracy::errors(request, &unknown, monitor)
-        .await?
-        .into_iter();
+    unknown.retain(|it| !known.knows(*it));
+    let mut found = accuracy::errors(request, &unknown, monitor).await?;
+    found.left_out.extend_from_slice(&known.left_out);
+    let mut errors = found.methods.into_iter().peekable();
+    let methods = request.methods.iter();
+    let measured = methods.filter_map(|it| {
+        of_method(it)
+            .cloned()
+            .or_else(|| errors.next_if(|next| next.method == *it))
+    });
+    let mut measured: Vec<Measurement> = measured.collect();
+    let request = &request.with(measured.iter().map(|it| it.method));
     let timings = timing::of_batches(
         async |number| time_batch(request, number, monitor).await,
         |share| (monitor.progress)("timing frames", share),
     )
     .await?;
-    let methods = request.methods.iter();
-    let measured = methods.filter_map(|it| of_method(it).cloned().or_else(|| errors.next()));
-    let mut measured: Vec<Measurement> = measured.collect();
     let timed = measured.iter_mut().filter(|it| is_timed(it.method));
     for (one, timing) in timed.zip(timings) {
         if timing.samples >= one.timing.samples {
@@ -78,7 +83,11 @@ pub async fn measure(
         one.ns_per_covered_pixel = (covered > 0).then_some(time);
     }
     mark_front(&mut measured);
-    Ok(measured)
+    Ok(Measured {
+        methods: measured,
+        left_out: found.left_out,
+        time: request.time,
+    })
 }
 
 /// Whether the renderer draws a method, so that its time is comparable.
@@ -124,7 +133,10 @@ pub async fn measure_report(
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Report> {
     let drawing = &request.drawing;
-    let methods = measure(request, &[], time_batch, monitor).await?;
+    let none = Measured::default();
+    let Measured {
+        methods, left_out, ..
+    } = measure(request, &none, time_batch, monitor).await?;
     let timed = methods.iter().find(|it| is_timed(it.method));
     let covered = timed.or(methods.first());
     let covered_pixels = covered.map_or(0, |it| it.counts.covered_pixels);
@@ -139,6 +151,7 @@ pub async fn measure_report(
         size: drawing.size,
         covered_pixels,
         methods,
+        left_out,
     })
 }
 

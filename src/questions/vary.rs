@@ -118,6 +118,7 @@ impl Request {
             methods: self.contenders.iter().filter_map(timed).collect(),
             time: time / values as u32,
             is_report: false,
+            must_fit: true,
         };
         let batch = async |number| time_here(&request, number, monitor).await;
         let mut timings = of_batches(batch, |_| ()).await?.into_iter();

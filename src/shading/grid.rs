@@ -54,6 +54,8 @@ impl Grids {
         memory::clear(&mut self.levels, points.max(KEPT));
         self.faces.clear();
         if points > self.levels.capacity() {
+            // The old ones are given back before new ones are asked for.
+            self.levels = Vec::new();
             let needed = points.saturating_mul(size_of::<DVec3>());
             memory::check(Content::Grids(cuboids), needed)?;
             let reserved = self.levels.try_reserve_exact(points);

@@ -71,7 +71,7 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
     let method = choice.method(world);
     ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
         ui.set_min_height(SENTENCE);
-        sentence_about(ui, trade.current().map_or(&[], Vec::as_slice), method);
+        sentence_about(ui, trade.current().map_or(&[], |it| &it.methods), method);
     });
     let caption = match (trade.is_current, study.progress()) {
         (false, Some((step, _))) => step,
@@ -89,8 +89,8 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
             ui.add(caption).on_hover_text(CAPTION);
         });
     });
-    let measured = trade.current().into_iter().flatten().cloned();
-    let known: Vec<_> = measured.filter(|it| it.error.is_some()).collect();
+    let measured = trade.current().map_or(&[][..], |it| &it.methods).iter();
+    let known: Vec<_> = measured.filter(|it| it.error.is_some()).cloned().collect();
     let mut axes = axes().width(ui.available_width() - BESIDE);
     if known.is_empty() {
         axes = axes.include_x(-1.0).include_x(1.0);

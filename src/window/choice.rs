@@ -29,8 +29,8 @@ impl Choice {
     /// the budget makes it a faster one; at rest all are measured again. Before any measurement the tolerance applies.
     /// `last` are the milliseconds of the last frame, where another one is to be drawn now.
     pub fn hold(&mut self, budget: Option<f64>, facts: &Facts, last: Option<f64>) {
-        let measured = facts.trade.value.as_deref().unwrap_or_default();
-        let (methods, costs) = best_trades(measured);
+        let measured = facts.trade.value.as_ref().map(|it| &it.methods[..]);
+        let (methods, costs) = best_trades(measured.unwrap_or_default());
         self.held = budget.filter(|_| !methods.is_empty()).map(|budget| {
             let held = methods.iter().position(|it| Some(*it) == self.held);
             let place = match held.filter(|_| !facts.trade.is_current) {
@@ -92,7 +92,7 @@ impl Choice {
             return "The methods are not measured yet.".to_owned();
         };
         let measured = facts.trade.current();
-        let held = measured.and_then(|measured| held(measured, budget));
+        let held = measured.and_then(|it| held(&it.methods, budget));
         let unmeasured = || {
             let time = time.unwrap_or_default();
             let (name, over) = (method_name(method), over(time, budget));

@@ -21,7 +21,7 @@ use crate::questions::probe::Probe;
 use crate::questions::prove::Proof;
 use crate::questions::requires::segments::FewestSegments;
 use crate::questions::requires::{Part, PartChanges};
-use crate::questions::trade::Measurement;
+use crate::questions::trade::{Measured, Measurement};
 use crate::questions::vary::refined::Refined;
 use crate::shading::Method;
 
@@ -68,7 +68,7 @@ pub struct Facts {
     /// Those of a number that is varied. They are about their own scene, whatever the picture is.
     pub curves: Latest<Refined>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
-    pub trade: Latest<Vec<Measurement>>,
+    pub trade: Latest<Measured>,
 }
 
 impl Facts {
@@ -91,7 +91,7 @@ impl Facts {
 
     /// The measurement of a method in the present view.
     pub fn measured(&self, method: Method) -> Option<&Measurement> {
-        let mut measured = self.trade.current().into_iter().flatten();
+        let mut measured = self.trade.current()?.methods.iter();
         measured.find(|it| it.method == method)
     }
 
@@ -129,6 +129,8 @@ pub enum Question {
     Prove,
     Require,
     CountSegments,
+    /// The timing again, for longer.
+    MeasureLonger,
 }
 
 /// The threads that answer questions; one core is left for the window.

@@ -22,6 +22,7 @@ use crate::questions::prove::prove;
 use crate::questions::requires::segments::fewest_segments;
 use crate::questions::requires::{more_changes, picture_without};
 use crate::questions::trade::batch::time_here;
+use crate::questions::trade::verdict::is_sure;
 use crate::questions::trade::{Request, measure};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{Method, methods};
@@ -31,8 +32,9 @@ use crate::systems::frame::Workers;
 const PROGRESS: Duration = Duration::from_millis(200);
 /// The parts of the model that are left out, or the values of a number that are drawn, between two looks at the result.
 const FEW: usize = 4;
-/// How long the frames of all methods are timed together.
+/// How long the frames of all methods are timed together, first and at most.
 const TIMING: Duration = Duration::from_secs(1);
+const LONGEST: Duration = Duration::from_secs(16);
 
 /// The change between two pictures, from the least to the greatest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -208,7 +210,7 @@ impl Study {
             self.vary(subject, desk);
         }
         if is_live && desk.shows_times {
-            self.measure(subject);
+            self.measure(subject, Question::Measure);
         }
         if is_live || desk.tab == Some(Tab::Proof) {
             self.find(
@@ -239,6 +241,9 @@ impl Study {
                 async |scene, view, monitor| fewest_segments(&scene, view, monitor).await,
             );
         }
+        if is_live && desk.shows_times {
+            self.measure(subject, Question::MeasureLonger);
+        }
     }
 
     /// Refines the curves of the number that is varied.
@@ -261,20 +266,29 @@ impl Study {
         );
     }
 
-    /// Measures all methods. Those that are known in this view are not compared again.
-    fn measure(&mut self, subject: &Subject) {
+    /// Measures all methods. Those that are known in this view are not compared again, and timed again for longer as long as
+    /// the time of the one on screen is not sure.
+    fn measure(&mut self, subject: &Subject, question: Question) {
         let methods = wanted_methods(subject);
-        let is_known = |it: &Method| self.facts.measured(*it).is_some();
         let trade = &self.facts.trade;
-        let known = trade.current().map_or(&[][..], Vec::as_slice);
-        if trade.is_current && (known.is_empty() || methods.iter().all(is_known)) {
-            return;
-        }
-        let known = known.to_vec();
+        let known = trade.current();
+        // Without an answer none of them can be measured.
+        let is_all = trade.is_current
+            && known.is_none_or(|it| methods.iter().all(|method| it.knows(*method)));
+        let longer = known.filter(|it| {
+            let is_unsure = |method| !is_sure(&it.methods, method);
+            it.time < LONGEST && subject.method.is_some_and(is_unsure)
+        });
+        let time = match (question, longer) {
+            (Question::Measure, _) if !is_all => TIMING,
+            (Question::MeasureLonger, Some(known)) if is_all => 2 * known.time,
+            _ => return,
+        };
+        let known = known.cloned().unwrap_or_default();
         let (threads, level) = (subject.workers.threads(), subject.workers.level());
         self.find(
             subject,
-            Question::Measure,
+            question,
             |facts| &mut facts.trade,
             async move |scene, view, monitor| {
                 let request = Request {
@@ -285,12 +299,13 @@ impl Study {
                         level,
                     },
                     methods,
-                    time: TIMING,
+                    time,
                     is_report: false,
+                    must_fit: false,
                 };
                 let mut measured = measure(&request, &known, time_here, monitor).await?;
                 // The window shows none of them, and copies the rest in each layout.
-                for one in &mut measured {
+                for one in &mut measured.methods {
                     one.timing.raw = Vec::new();
                 }
                 Ok(measured)
@@ -311,6 +326,7 @@ impl Study {
         let grows = [
             Question::Compare,
             Question::Measure,
+            Question::MeasureLonger,
             Question::Require,
             Question::Vary,
         ]

@@ -89,7 +89,7 @@ impl Page {
             "method": self.app.method().map(method_name),
             "error": facts.comparison.current().and_then(|it| it.worst).map(|it| it.error),
             "proof": facts.proof.current(),
-            "trade": facts.trade.current(),
+            "trade": facts.trade.current().map(|it| &it.methods),
             "varied": facts.curves.value.as_ref().filter(|it| it.is_all).map(|it| it.variable.clone()),
             "picture": (canvas.place.min * canvas.scale, canvas.size()),
             "pixel": self.app.pixel(),

@@ -13,13 +13,13 @@ use anyhow::Context;
 use glam::DVec3;
 
 use super::is_timed;
-use super::measurement::{Measurement, Request};
+use super::measurement::{LeftOut, Measured, Measurement, Request};
 use super::timing::Timing;
 use crate::components::{Light, LightKind, ShadingMode, TriangleId, View};
 use crate::output::Monitor;
-use crate::output::memory;
+use crate::output::memory::{self, Content, OutOfMemory};
 use crate::questions::metrics::{Picture, compare};
-use crate::reference;
+use crate::reference::{self, Truth};
 use crate::scene::Scene;
 use crate::shading::Method;
 use crate::systems;
@@ -33,15 +33,16 @@ const BYTES_OF_REPORT: usize = 3 * 28;
 /// The errors of `methods` in the view of `request`, without times.
 ///
 /// # Errors
-/// If the pictures do not fit in memory, or the work is cancelled.
+/// If the pictures do not fit in memory, or grids that must, or the work is cancelled.
 pub async fn errors(
     request: &Request,
     methods: &[Method],
     monitor: Monitor<'_>,
-) -> anyhow::Result<Vec<Measurement>> {
+) -> anyhow::Result<Measured> {
     let view = &request.drawing.view();
+    let mut found = Measured::default();
     if methods.is_empty() {
-        return Ok(Vec::new());
+        return Ok(found);
     }
     let bytes = BYTES + usize::from(request.is_report) * BYTES_OF_REPORT;
     memory::check(view.size, view.size[0] * view.size[1] * bytes)
@@ -49,24 +50,30 @@ pub async fn errors(
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
     let mut scene = request.drawing.scene.snapshot();
     let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor).await?;
-    let own_modes = methods.iter().filter(|it| it.segments.is_none());
-    let own_modes = own_modes.map(|method| method.mode);
-    let own_modes = own_modes.filter(|mode| request.is_report || !mode.is_drawn());
-    let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
-    let mut truths = HashMap::new();
-    for mode in modes {
-        let view = view.shaded(mode);
-        let truth = reference::picture(&scene.world, &view, 0..view.size[1], monitor).await?;
-        truths.insert(mode, truth);
-    }
+    let truths = truths(request, methods, monitor).await?;
     let exact = Picture::from(&truths[&ShadingMode::Phong]);
-    let mut measured = Vec::new();
-    for (method, highlight_kept) in methods.iter().zip(shares_kept) {
+    for (done, (method, highlight_kept)) in (1..).zip(methods.iter().zip(shares_kept)) {
         monitor.check()?;
         monitor.rest().await;
+        (monitor.progress)("comparing pictures", f64::from(done) / methods.len() as f64);
+        let drawn = highlight_kept.and_then(|kept| {
+            if is_timed(*method) {
+                systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
+            }
+            Ok(kept)
+        });
+        let highlight_kept = match drawn {
+            Err(error) if !request.must_fit && matches!(error.content, Content::Grids(_)) => {
+                found.left_out.push(LeftOut {
+                    method: *method,
+                    reason: error.to_string(),
+                });
+                continue;
+            }
+            drawn => drawn?,
+        };
         let mut counts = Counts::default();
         if is_timed(*method) {
-            systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
             counts = frame.counts();
         } else {
             let triangles = truths[&method.mode].triangles.iter();
@@ -92,7 +99,7 @@ pub async fn errors(
             };
             own_error = against(Picture::from(own)).error;
         }
-        measured.push(Measurement {
+        found.methods.push(Measurement {
             method: *method,
             threads: request.drawing.threads,
             timing: Timing::default(),
@@ -104,20 +111,37 @@ pub async fn errors(
             highlight_kept,
             on_front: false,
         });
-        let share = measured.len() as f64 / methods.len() as f64;
-        (monitor.progress)("comparing pictures", share);
     }
-    Ok(measured)
+    Ok(found)
 }
 
-/// The share of the highlight that each method keeps.
+/// Exact Phong, and the other modes whose own pictures are compared.
+async fn truths(
+    request: &Request,
+    methods: &[Method],
+    monitor: Monitor<'_>,
+) -> anyhow::Result<HashMap<ShadingMode, Truth>> {
+    let own_modes = methods.iter().filter(|it| it.segments.is_none());
+    let own_modes = own_modes.map(|method| method.mode);
+    let own_modes = own_modes.filter(|mode| request.is_report || !mode.is_drawn());
+    let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
+    let (world, view) = (&request.drawing.scene.world, request.drawing.view());
+    let mut truths = HashMap::new();
+    for mode in modes {
+        let truth = reference::picture(world, &view.shaded(mode), 0..view.size[1], monitor).await?;
+        truths.insert(mode, truth);
+    }
+    Ok(truths)
+}
+
+/// The share of the highlight that each method keeps, where its grids fit in memory.
 async fn highlight_kept(
     scene: &Scene,
     view: &View,
     methods: &[Method],
     frame: &mut Frame,
     monitor: Monitor<'_>,
-) -> anyhow::Result<Vec<Option<f64>>> {
+) -> anyhow::Result<Vec<Result<Option<f64>, OutOfMemory>>> {
     let mut specular = scene.snapshot();
     for light in specular.world.query_mut::<&mut Light>() {
         light.on &= light.kind == LightKind::Specular;
@@ -132,8 +156,8 @@ async fn highlight_kept(
         monitor.check()?;
         monitor.rest().await;
         let kept = if is_timed(*method) {
-            systems::draw(&mut specular.world, &method.view(&dark), frame)?;
-            share_kept(frame.levels().iter().copied(), &highlight.levels)
+            systems::draw(&mut specular.world, &method.view(&dark), frame)
+                .map(|()| share_kept(frame.levels().iter().copied(), &highlight.levels))
         } else {
             let view = method.view(&dark);
             let kept = reference::picture(&specular.world, &view, 0..view.size[1], monitor).await?;
@@ -141,7 +165,7 @@ async fn highlight_kept(
                 .levels
                 .into_iter()
                 .map(|it| it.map(|level| level as f32));
-            share_kept(kept, &highlight.levels)
+            Ok(share_kept(kept, &highlight.levels))
         };
         shares.push(kept);
     }

@@ -129,6 +129,7 @@ pub fn run() -> anyhow::Result<()> {
         methods: methods.context("no such method")?,
         time: asked.time,
         is_report: false,
+        must_fit: true,
     };
     let times = finished(time_here(&request, asked.number, Monitor::NONE))?;
     Output::Stdout.write(serde_json::to_vec(&times)?)

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use super::timing::Batch;
 use super::verdict::method_name;
-use super::{Measurement, Request, front, is_timed, measure};
+use super::{Measured, Measurement, Request, front, is_timed, measure};
 use crate::components::common;
 use crate::output::Monitor;
 use crate::output::progress::with_bar;
@@ -85,7 +85,9 @@ pub fn choose(
             .collect(),
         time: MEASURING_TIME,
         is_report: false,
+        must_fit: false,
     };
-    let measured = with_bar(async |monitor| measure(&request, &[], time_batch, monitor).await)?;
-    Ok(held(&measured, budget).map(|(one, text)| (one.clone(), text)))
+    let none = Measured::default();
+    let measured = with_bar(async |monitor| measure(&request, &none, time_batch, monitor).await)?;
+    Ok(held(&measured.methods, budget).map(|(one, text)| (one.clone(), text)))
 }

@@ -1,7 +1,7 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
 use super::is_timed;
-use super::measurement::{Measurement, Report};
+use super::measurement::{LeftOut, Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
 use crate::output::one_line;
@@ -43,9 +43,10 @@ pub fn table(report: &Report) -> String {
         wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), rows(report)),
+        wrapped(&left_out(report)),
         wrapped(&legend(report)),
     ];
-    // There is no verdict where none of its methods was measured.
+    // There is no verdict where none of its methods was measured, and mostly nothing is left out.
     paragraphs.retain(|paragraph| !paragraph.is_empty());
     paragraphs.join("\n\n") + "\n"
 }
@@ -53,12 +54,15 @@ pub fn table(report: &Report) -> String {
 /// The same text in Markdown, with the command line.
 pub fn markdown(report: &Report) -> String {
     format!(
-        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{} trade.json has the other figures.\n",
+        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}{} trade.json has the other figures.\n",
         verdict(&report.methods),
         subject(report),
         place(report),
         report.command,
         tables::markdown(&head(), rows(report)),
+        Some(left_out(report))
+            .filter(|it| !it.is_empty())
+            .map_or(String::new(), |it| it + "\n\n"),
         legend(report)
     )
 }
@@ -70,6 +74,13 @@ fn head() -> [&'static str; COLUMNS.len()] {
 fn rows(report: &Report) -> impl Iterator<Item = [String; COLUMNS.len()]> {
     let methods = report.methods.iter();
     methods.map(|one| COLUMNS.map(|(_, cell)| cell(one)))
+}
+
+/// A sentence for each method that is left out.
+fn left_out(report: &Report) -> String {
+    let sentence = |it: &LeftOut| format!("{} is left out: {}.", it.method.id, it.reason);
+    let sentences: Vec<String> = report.left_out.iter().map(sentence).collect();
+    sentences.join(" ")
 }
 
 /// The view in words.

@@ -22,6 +22,8 @@ pub struct Request {
     pub time: Duration,
     /// Whether `own_error` is found, which only a report shows.
     pub is_report: bool,
+    /// Whether grids that do not fit in memory are an error; else their methods are left out.
+    pub must_fit: bool,
 }
 
 impl Request {
@@ -29,6 +31,45 @@ impl Request {
     pub fn timed(&self) -> impl Iterator<Item = &Method> {
         self.methods.iter().filter(|it| is_timed(**it))
     }
+
+    /// The same request for other methods.
+    pub(super) fn with(&self, methods: impl Iterator<Item = Method>) -> Request {
+        Request {
+            drawing: Drawing {
+                scene: self.drawing.scene.snapshot(),
+                ..self.drawing
+            },
+            methods: methods.collect(),
+            ..*self
+        }
+    }
+}
+
+/// The methods of a request, measured or left out.
+#[derive(Clone, Debug, Default)]
+pub struct Measured {
+    /// In the order of the request.
+    pub methods: Vec<Measurement>,
+    pub left_out: Vec<LeftOut>,
+    /// The time in which all of them were timed.
+    pub time: Duration,
+}
+
+impl Measured {
+    /// Whether a method was measured or left out.
+    pub fn knows(&self, method: Method) -> bool {
+        let measured = self.methods.iter().map(|it| it.method);
+        let mut all = measured.chain(self.left_out.iter().map(|it| it.method));
+        all.any(|it| it == method)
+    }
+}
+
+/// A method whose grids do not fit in memory: a record of `trade.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LeftOut {
+    #[serde(flatten)]
+    pub method: Method,
+    pub reason: String,
 }
 
 /// A measurement of methods, with the view and the machine: enough to judge the times and to repeat it.
@@ -46,6 +87,7 @@ pub struct Report {
     pub covered_pixels: u64,
     /// In the order of [`crate::shading::METHODS`].
     pub methods: Vec<Measurement>,
+    pub left_out: Vec<LeftOut>,
 }
 
 /// The time of one method in a view, and its error: a record of `trade.json`.

@@ -6,7 +6,7 @@ use super::is_timed;
 use super::measurement::Measurement;
 use crate::components::Segments;
 use crate::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
-use crate::output::words::{capital, counted, pace, short};
+use crate::output::words::{capital, counted, is_narrow, pace, short, sure_pace};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
@@ -29,21 +29,21 @@ pub fn verdict(measured: &[Measurement]) -> String {
     let one = find(measured, Method::of(Gouraud, UNSEEN));
     let enough = enough.filter(|_| one.is_none_or(|it| !is_unseen(&it)));
     let told = subjects.into_iter().filter_map(of).chain(enough);
-    let sentences: Vec<String> = told.filter_map(|it| against_phong(measured, it)).collect();
+    let sentences = told.filter_map(|it| against_phong(measured, it, pace));
+    let sentences: Vec<String> = sentences.collect();
     sentences.join(" ")
 }
 
 /// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
+/// A ratio of times is told once it is sure.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     let shown = find(measured, shown)?;
-    let Some(text) = against_phong(measured, shown) else {
+    let Some(text) = against_phong(measured, shown, sure_pace) else {
         return Some(NOTHING.to_owned());
     };
-    let gouraud =
-        find(measured, Method::of(Gouraud, UNSEEN)).filter(|_| shown.method.mode == Phong);
-    Some(match gouraud {
+    Some(match gouraud_beside(measured, shown) {
         Some(gouraud) => {
-            let pace = pace(gouraud.timing.interval, shown.timing.interval);
+            let pace = sure_pace(gouraud.timing.interval, shown.timing.interval);
             let error = short(gouraud.largest_error());
             format!("{text} Gouraud: {pace} this, off by {error}.")
         }
@@ -51,25 +51,46 @@ pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     })
 }
 
+/// Whether every ratio of times in [`sentence`] is sure.
+pub fn is_sure(measured: &[Measurement], shown: Method) -> bool {
+    let Some(shown) = find(measured, shown) else {
+        return true;
+    };
+    let others = [rival(measured, shown), gouraud_beside(measured, shown)];
+    let mut others = others.into_iter().flatten();
+    others.all(|it| is_narrow(it.timing.interval, shown.timing.interval))
+}
+
+/// Gouraud, for Phong.
+fn gouraud_beside<'a>(measured: &'a [Measurement], shown: &Measurement) -> Option<&'a Measurement> {
+    find(measured, Method::of(Gouraud, UNSEEN)).filter(|_| shown.method.mode == Phong)
+}
+
+/// Phong within half a level; exact Phong for that itself, or if it was not measured. `None` for what is not timed.
+fn rival<'a>(measured: &'a [Measurement], shown: &Measurement) -> Option<&'a Measurement> {
+    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Method::of(Phong, tolerance)));
+    let mut rivals = [half, exact].into_iter().flatten();
+    rivals.find(|it| it.method != shown.method && is_timed(shown.method))
+}
+
 fn find(measured: &[Measurement], method: Method) -> Option<&Measurement> {
     measured.iter().find(|it| it.method == method)
 }
 
-/// The time of `shown` compared with a rival, and its error; `None` if nothing is drawn.
-///
-/// The rival is Phong within half a level; that of itself, or if it was not measured, is exact Phong.
-fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
+/// The time of `shown` compared with its rival, and its error; `None` if nothing is drawn.
+fn against_phong(
+    measured: &[Measurement],
+    shown: &Measurement,
+    pace: fn([f64; 2], [f64; 2]) -> String,
+) -> Option<String> {
     let error = format!("off by {} of 255", short(shown.largest_error()?));
     let name = capital(&method_name(shown.method));
-    let [half, exact] = [UNSEEN, 0.0].map(|tolerance| find(measured, Method::of(Phong, tolerance)));
-    let mut rivals = [half, exact].into_iter().flatten();
-    let rival = rivals.find(|it| it.method != shown.method);
-    Some(match rival {
-        Some(rival) if is_timed(shown.method) => {
+    Some(match rival(measured, shown) {
+        Some(rival) => {
             let pace = pace(shown.timing.interval, rival.timing.interval);
             format!("{name}: {pace} {}, {error}.", method_name(rival.method))
         }
-        _ => format!("{name}: {error}."),
+        None => format!("{name}: {error}."),
     })
 }
 

@@ -13,6 +13,17 @@ pub struct Report {
     pub size: [u64; 2],
     pub covered_pixels: u64,
     pub methods: Vec<Method>,
+    left_out: Vec<LeftOut>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LeftOut {
+    id: String,
+    mode: String,
+    segments: u32,
+    tolerance: f64,
+    reason: String,
 }
 
 #[derive(Deserialize)]
@@ -128,6 +139,11 @@ pub fn read(text: &str) -> Report {
             let [x, y] = error.max_pixel;
             assert!(x < width && y < height, "{what}");
         }
+    }
+    for out in &report.left_out {
+        let (count, tolerance) = (out.segments, out.tolerance);
+        assert_eq!(out.id, format!("{}-{count}x{count}-{tolerance}", out.mode));
+        assert!(!out.reason.is_empty());
     }
     let has_front = report.methods.iter().any(|method| method.on_front);
     let has_time = report.methods.iter().any(|it| it.ms.is_some());

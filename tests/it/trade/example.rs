@@ -69,6 +69,7 @@ pub fn report() -> Report {
         size: [40, 30],
         covered_pixels: 1000,
         methods: rows.map(method).to_vec(),
+        left_out: Vec::new(),
     }
 }
 

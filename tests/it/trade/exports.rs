@@ -1,9 +1,12 @@
 //! The texts and pictures of an invented measurement show its figures.
 
 use serde::Deserialize;
+use shadetrade::components::Segments;
+use shadetrade::components::ShadingMode::Gouraud;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::trade::export::{markdown, table};
-use shadetrade::questions::trade::{Report, plot};
+use shadetrade::questions::trade::{LeftOut, Report, plot};
+use shadetrade::shading::Method;
 
 use super::example::{empty_report, report, timing};
 
@@ -75,6 +78,23 @@ fn the_table_and_the_markdown_have_the_figures_of_every_method() {
         }
     }
     assert!(markdown(&report()).contains("\n`shadetrade trade`\n"));
+}
+
+#[test]
+fn what_is_left_out_is_said_with_the_reason() {
+    let mut report = report();
+    let none = table(&report);
+    assert!(!none.contains("left out"), "{none}");
+    report.left_out = vec![LeftOut {
+        method: Method::with(Gouraud, Segments::new(256), 0.5),
+        reason: "no room for the grids".to_owned(),
+    }];
+    for text in [table(&report), markdown(&report)] {
+        assert!(
+            text.contains("gouraud-256x256-0.5 is left out: no room for the grids."),
+            "{text}"
+        );
+    }
 }
 
 /// The parts of a plot that the tests check.

@@ -18,7 +18,7 @@ use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::trade::timing::{MIN_SAMPLES, Timing};
 use shadetrade::questions::trade::verdict::verdict;
 use shadetrade::questions::trade::{
-    self, Measurement, Report, Request, accuracy, batch, export, measure, plot,
+    self, Measured, Measurement, Report, Request, accuracy, batch, export, measure, plot,
 };
 use shadetrade::reference;
 use shadetrade::scene::{Scene, SceneRecord};
@@ -43,6 +43,7 @@ fn request(size: [usize; 2], threads: usize, change: impl Fn(&mut SceneRecord)) 
         methods: METHODS.to_vec(),
         time: Duration::ZERO,
         is_report: true,
+        must_fit: true,
     }
 }
 
@@ -112,7 +113,9 @@ fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
         ..Monitor::NONE
     };
     asked.is_report = false;
-    let seen = finished(measure(&asked, &[], batch::time_here, monitor)).expect("it is measured");
+    let none = Measured::default();
+    let seen = finished(measure(&asked, &none, batch::time_here, monitor));
+    let seen = seen.expect("it is measured").methods;
     for (one, seen) in report.methods.iter().zip(&seen) {
         assert_eq!(seen.method, one.method);
         assert_eq!(seen.error, one.error);
@@ -134,25 +137,25 @@ fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
 fn known_errors_and_the_timing_with_more_samples_are_kept() {
     let mut asked = ordinary([64, 48], 1);
     asked.methods.truncate(3);
-    let measure =
-        |known: &[_], monitor| finished(measure(&asked, known, batch::time_here, monitor));
-    let mut known = measure(&[], Monitor::NONE).expect("it is measured");
+    let measure = |known: &_, monitor| finished(measure(&asked, known, batch::time_here, monitor));
+    let mut known = measure(&Measured::default(), Monitor::NONE).expect("it is measured");
     // Errors that no picture can have.
     let error = Some(ErrorStatistics {
         max: 1e3,
         ..ErrorStatistics::default()
     });
     for (index, samples) in [1_000_000, 1].into_iter().enumerate() {
-        known[index].error = error;
-        known[index].timing = Timing {
+        known.methods[index].error = error;
+        known.methods[index].timing = Timing {
             samples,
             median: -1.0,
             ..Timing::default()
         };
     }
-    known.remove(2);
+    known.methods.remove(2);
     let again = measure(&known, Monitor::NONE).expect("it is measured");
-    assert_eq!(again[0].timing, known[0].timing);
+    let again = again.methods;
+    assert_eq!(again[0].timing, known.methods[0].timing);
     assert!(again[1].timing.samples >= MIN_SAMPLES && again[1].timing.median > 0.0);
     let errors: Vec<_> = again.iter().map(|it| it.error).collect();
     assert_eq!(errors[..2], [error; 2]);
@@ -276,12 +279,48 @@ fn views_with_little_or_nothing_to_measure_have_a_report() {
 }
 
 #[test]
+fn grids_that_memory_cannot_hold_are_left_out_unless_they_were_asked_for() {
+    // Their grids of 256 segments take 119 GB.
+    let crowd = 25_000;
+    let mut asked = request([16, 12], 1, |record| {
+        let first = record.cuboid[0].clone();
+        record.cuboid.extend((1..crowd).map(|number| {
+            let mut other = first.clone();
+            other.name = number.to_string();
+            other.position.x += 1e3 * f64::from(number);
+            other
+        }));
+    });
+    let ids = ["flat", "gouraud-256x256-0.5", "phong-0.5"];
+    asked.methods.retain(|it| ids.contains(&it.id));
+    let time = async |request: &Request, _: usize, _: Monitor<'_>| {
+        let times = request.timed().map(|it| {
+            assert!(it.segments.is_none(), "it is not drawn");
+            vec![1.0]
+        });
+        Ok(times.collect())
+    };
+    let measure = |asked: &Request| finished(trade::measure_report(asked, time, Monitor::NONE));
+    let error = measure(&asked).expect_err("it was asked for").to_string();
+    assert!(error.contains("the grids of 25000 cuboids"), "{error}");
+    asked.must_fit = false;
+    let report = measure(&asked).expect("the others are measured");
+    let found: Vec<&str> = report.methods.iter().map(|it| it.method.id).collect();
+    assert_eq!(found, [ids[0], ids[2]]);
+    let [out] = &report.left_out[..] else {
+        panic!("{report:?}");
+    };
+    assert_eq!((out.method.id, &out.reason), (ids[1], &error));
+    contract::read(&json(&report).expect("it is written"));
+}
+
+#[test]
 fn what_cannot_be_measured_or_written_is_an_error() {
     // Starts this test program, which does not know the option.
     let request = ordinary([16, 12], 1);
     let result = finished(measure(
         &request,
-        &[],
+        &Measured::default(),
         batch::time_in_a_process,
         Monitor::NONE,
     ));

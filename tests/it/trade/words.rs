@@ -5,7 +5,7 @@ use serde_json::Value;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::output::words::pace;
 use shadetrade::questions::trade::Measurement;
-use shadetrade::questions::trade::verdict::{sentence, verdict};
+use shadetrade::questions::trade::verdict::{is_sure, sentence, verdict};
 use shadetrade::shading::Method;
 
 use super::example;
@@ -66,14 +66,19 @@ fn the_sentence_states_only_measured_facts() {
         assert!(hides, "{row}\n{text}");
     }
     assert_eq!(sentence(&measured(USUAL), Method::of(Phong, 0.7)), None);
-    // Intervals that are so wide that they overlap allow no verdict.
-    let mut noisy = measured(USUAL);
-    for one in &mut noisy {
-        one.timing.interval = [0.1, 2.0];
-    }
-    for one in &noisy {
-        let text = sentence(&noisy, one.method).expect("it is measured");
-        assert!(text.contains("no measurable difference"), "{text}");
+    // Wide intervals allow no verdict, whether they overlap or not.
+    for width in [1.2, 1.3, 20.0] {
+        let mut noisy = measured(USUAL);
+        for one in &mut noisy {
+            one.timing.interval = [one.timing.median, width * one.timing.median];
+        }
+        for one in &noisy {
+            let text = sentence(&noisy, one.method).expect("it is measured");
+            let is_told = width * width <= 1.5;
+            assert_eq!(text.contains("not sure"), !is_told, "{text}");
+            assert_eq!(text.contains("times as"), is_told, "{text}");
+            assert_eq!(is_sure(&noisy, one.method), is_told, "{text}");
+        }
     }
 }
 

@@ -15,7 +15,7 @@ use shadetrade::window::controls::{
 use shadetrade::window::facts::Facts;
 use shadetrade::window::keys::EXACT_SIDES;
 
-use super::trade::measured;
+use super::trade::trade;
 use crate::support::records;
 use crate::support::window::default_scene;
 
@@ -128,7 +128,7 @@ fn a_budget_is_within_its_range_and_its_outcome_tells_the_method() {
     assert_eq!(viewer(&world).tolerance, 0.5, "the usual one");
     let outcome = |choice: &Choice, facts: &Facts| choice.outcome(facts, Some(7.5), 0.45);
     let unknown = outcome(&choice, &facts);
-    facts.trade.finish(Some(measured()));
+    facts.trade.finish(Some(trade()));
     choice.hold(Some(0.45), &facts, None);
     let held = outcome(&choice, &facts);
     assert!(

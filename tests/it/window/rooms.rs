@@ -29,7 +29,7 @@ use shadetrade::window::keys::EXACT_SIDES;
 use shadetrade::window::panel::light_rows;
 use shadetrade::window::study::{Background, Change, Study, Subject, change};
 
-use super::trade::measured;
+use super::trade::trade;
 use crate::support::window::default_scene;
 
 const VIEW: [usize; 2] = [64, 48];
@@ -251,7 +251,7 @@ fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method(
     assert!(study.facts.section.is_current);
     study.outdate(Change::Pixel, Some([33, 25]));
     assert!(!study.facts.section.is_current);
-    study.facts.trade.finish(Some(measured()));
+    study.facts.trade.finish(Some(trade()));
     study.outdate(Change::Method, None);
     assert!(study.facts.trade.is_current, "it is of every method");
     study.outdate(Change::Scene, None);
@@ -265,7 +265,7 @@ fn a_choice_keeps_a_budget_and_goes_to_a_faster_method_when_a_frame_was_over_it(
     let own = choice.method(&world);
     choice.hold(Some(0.45), &facts, None);
     assert_eq!(choice.method(&world), own, "nothing is measured");
-    facts.trade.finish(Some(measured()));
+    facts.trade.finish(Some(trade()));
     choice.hold(Some(0.45), &facts, None);
     assert_eq!(choice.method(&world), Some(Method::of(Phong, 0.5)));
     facts.trade.is_current = false;
@@ -296,7 +296,7 @@ fn the_rows_of_lights_switch_the_lights_of_a_world() {
 #[test]
 fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
     let mut study = Study::new(Background::AtOnce).expect("it takes no threads");
-    study.facts.trade.finish(Some(measured()));
+    study.facts.trade.finish(Some(trade()));
     let mut world = default_scene().world;
     shade(&mut world, ShadingMode::Gouraud);
     let mut harness = Harness::builder().with_size([300.0, 300.0]).build_ui_state(

@@ -15,9 +15,9 @@ use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::prove::prove;
 use shadetrade::questions::requires::part_changes;
 use shadetrade::questions::requires::segments::fewest_segments;
-use shadetrade::questions::trade::Measurement;
 use shadetrade::questions::trade::timing::MIN_SAMPLES;
 use shadetrade::questions::trade::verdict::method_name;
+use shadetrade::questions::trade::{LeftOut, Measured, Measurement};
 use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::window::app::App;
@@ -69,11 +69,19 @@ pub fn measured() -> Vec<Measurement> {
     measured.collect()
 }
 
+/// This measurement as a whole.
+pub fn trade() -> Measured {
+    Measured {
+        methods: measured(),
+        ..Measured::default()
+    }
+}
+
 /// A window with this measurement.
 pub fn app_with_trade(size: [usize; 2]) -> App {
     let mut app = app(default_scene(), size, Level::new());
     app.desk.shows_times = true;
-    app.study.facts.trade.finish(Some(measured()));
+    app.study.facts.trade.finish(Some(trade()));
     app
 }
 
@@ -173,7 +181,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
         assert!(window.app.study.facts.trade.current().is_some(), "{key:?}");
     }
     for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
-        window.app.study.facts.trade.finish(Some(measured()));
+        window.app.study.facts.trade.finish(Some(trade()));
         window.press(key);
         assert!(!window.app.study.facts.trade.is_current, "{key:?}");
         let old = window.app.study.facts.measured(Method::of(Phong, 1.0));
@@ -182,7 +190,7 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
             "{key:?}: its numbers are not those of this picture"
         );
     }
-    window.app.study.facts.trade.finish(Some(measured()));
+    window.app.study.facts.trade.finish(Some(trade()));
     window.size = [430, 190];
     window.step(Vec::new());
     assert!(!window.app.study.facts.trade.is_current, "another size");
@@ -319,7 +327,7 @@ fn questions_are_answered_row_by_row_without_threads() {
     assert_eq!(Some(&found.rows), required.ok().as_ref());
     let segments = finished(fewest_segments(&scene, &view, none));
     assert_eq!(facts.segments.current(), segments.ok().as_ref());
-    let samples = facts.trade.current().into_iter().flatten();
+    let samples = facts.trade.current().expect("an answer").methods.iter();
     let timed = samples.filter(|it| it.method.mode.is_drawn());
     let mut samples = timed.map(|it| it.timing.samples);
     assert!(samples.all(|it| it >= MIN_SAMPLES) && facts.trade.is_current);
@@ -332,8 +340,8 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let error = app.study.facts.comparison.current();
     assert!(error.is_some(), "it takes less time");
     run(&mut app, |app| app.study.facts.proof.current().is_some());
-    let measured = app.study.facts.trade.value.iter().flatten();
-    let found: Vec<Method> = measured.map(|it| it.method).collect();
+    let measured = app.study.facts.trade.current().expect("an answer");
+    let found: Vec<Method> = measured.methods.iter().map(|it| it.method).collect();
     let known: Vec<Method> = methods(Some(Segments::default())).collect();
     assert_eq!(found, known);
     let [shown, beside] = [0.7, 0.3].map(|tolerance| Method::of(Phong, tolerance));
@@ -373,6 +381,49 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let [low, high] = shown.timing.interval;
     assert!(0.0 < low && low <= shown.timing.median && shown.timing.median <= high);
     assert!(shown.timing.raw.is_empty(), "each layout would copy them");
+}
+
+/// The least time of a measurement that is repeated here.
+const BRIEF: Duration = Duration::from_millis(20);
+
+#[test]
+fn the_time_is_measured_for_longer_while_it_is_not_sure_and_what_does_not_fit_is_left_out() {
+    for (width, time) in [(2.0, 2 * BRIEF), (1.01, BRIEF)] {
+        let mut app = in_the_background(Background::Pieces);
+        run(&mut app, |app| app.study.facts.trade.current().is_some());
+        let trade = app.study.facts.trade.value.as_mut().expect("an answer");
+        trade.time = BRIEF;
+        for one in &mut trade.methods {
+            one.timing.samples = MIN_SAMPLES;
+            one.timing.interval = [1.0, width];
+        }
+        // The finest grid does not fit.
+        let (finest, _) = trade
+            .methods
+            .iter()
+            .enumerate()
+            .max_by_key(|it| it.1.method.segments.map(Segments::count))
+            .expect("methods");
+        let finest = trade.methods.remove(finest).method;
+        trade.left_out = vec![LeftOut {
+            method: finest,
+            reason: "large".to_owned(),
+        }];
+        run(&mut app, |app| {
+            let study = &app.study;
+            let is_idle = study.work.is_none() && study.facts.proof.is_current;
+            is_idle
+                && study
+                    .facts
+                    .trade
+                    .value
+                    .as_ref()
+                    .is_some_and(|it| it.time >= time)
+        });
+        let trade = app.study.facts.trade.current().expect("an answer");
+        assert_eq!(trade.time, time, "{width}");
+        assert!(trade.knows(finest) && app.study.facts.measured(finest).is_none());
+    }
 }
 
 #[test]
