@@ -21,7 +21,7 @@ use anyhow::ensure;
 use serde::Serialize;
 
 pub use self::curve::{Curve, Point};
-use self::picture::{Contender, Errors, errors};
+use self::picture::{Compared, Contender, Errors, errors};
 use self::variable::Variable;
 use crate::components::View;
 use crate::output::Monitor;
@@ -94,7 +94,7 @@ impl Request {
             drawing.size,
             contenders,
             drawing.level,
-            true,
+            Compared::All,
             Monitor::NONE,
         ))
     }

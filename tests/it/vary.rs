@@ -14,7 +14,9 @@ use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::displayed;
 use shadetrade::questions::prove::Verdict::{self, Proven, Refuted};
 use shadetrade::questions::vary::export;
-use shadetrade::questions::vary::picture::{Contender, Error, Errors, REFERENCE, TEXTBOOK, errors};
+use shadetrade::questions::vary::picture::{
+    Compared, Contender, Error, Errors, REFERENCE, TEXTBOOK, errors,
+};
 use shadetrade::questions::vary::variable::Variable;
 use shadetrade::questions::vary::{Report, Request, measure};
 use shadetrade::scene::key::Key;
@@ -73,7 +75,14 @@ fn drawn_errors(
     contenders: &[Contender],
 ) -> anyhow::Result<Errors> {
     let level = Level::new();
-    finished(errors(record, size, contenders, level, true, Monitor::NONE))
+    finished(errors(
+        record,
+        size,
+        contenders,
+        level,
+        Compared::All,
+        Monitor::NONE,
+    ))
 }
 
 /// Varies a key of a scene within half a level.

@@ -34,7 +34,9 @@ pub fn text(report: &Report) -> String {
         .iter()
         .map(|panel| of_panel(panel, limit(report.tolerance)));
     let parts: Vec<String> = parts.collect();
-    format!("{}\n\n{}", parts.join("\n\n"), wrapped(LEGEND))
+    let [width, height] = report.size;
+    let legend = format!("{LEGEND} Every pixel of {width}x{height} is compared.");
+    format!("{}\n\n{}", parts.join("\n\n"), wrapped(&legend))
 }
 
 fn of_panel(panel: &Panel, limit: f64) -> String {

@@ -112,11 +112,19 @@ pub struct Errors {
     pub height: Option<f64>,
 }
 
+/// The pixels of a picture that are compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Compared {
+    /// Each, also with the contender's own definition.
+    All,
+    /// An even lattice of at most this many near cuboids. The errors against the contender's own definition are left at 0.
+    Lattice(usize),
+}
+
 /// The pixels of a contender: the face at each, and its levels.
 type Shown<'a> = Box<dyn Fn([usize; 2]) -> (Option<usize>, [f64; 3]) + 'a>;
 
-/// Draws the picture of a scene from its active camera by each contender, and compares every pixel near cuboids with enclosures; also with
-/// those of the contender's own definition if `has_own`, else the own errors are 0.
+/// Draws the picture of a scene from its active camera by each contender, and compares pixels near cuboids with enclosures.
 ///
 /// # Errors
 /// If a picture does not fit in memory, or the work is cancelled.
@@ -125,7 +133,7 @@ pub async fn errors(
     size: [usize; 2],
     contenders: &[Contender],
     level: Level,
-    has_own: bool,
+    compared: Compared,
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Errors> {
     let mut world = record.spawn();
@@ -150,7 +158,7 @@ pub async fn errors(
     });
     let pictures: Vec<Shown> = pictures.collect();
     let mut own = HashMap::new();
-    for contender in contenders.iter().filter(|_| has_own) {
+    for contender in contenders.iter().filter(|_| compared == Compared::All) {
         if let Some((definition, method)) = contender.definition().zip(contender.method) {
             let view = method.view(&view);
             own.entry(definition)
@@ -166,7 +174,7 @@ pub async fn errors(
     let mut hasher = DefaultHasher::new();
     let bits = |levels: [f64; 3]| levels.map(f64::to_bits);
     bits(view.background.to_array()).hash(&mut hasher);
-    let [columns, rows] = bounds(&exact);
+    let [columns, rows] = lattice(bounds(&exact), compared);
     for y in rows {
         exact.part_of_row(y, columns.clone(), |x, seen| {
             for (picture, error) in pictures.iter().zip(&mut found.of) {
@@ -199,6 +207,20 @@ pub async fn errors(
     }
     found.hash = hasher.finish();
     Ok(found)
+}
+
+/// The compared columns and rows of those in which cuboids may be seen.
+fn lattice(
+    seen: [Range<usize>; 2],
+    compared: Compared,
+) -> [impl Iterator<Item = usize> + Clone; 2] {
+    let pixels: usize = seen.iter().map(Range::len).product();
+    let step = match compared {
+        Compared::All => 1,
+        Compared::Lattice(most) => (pixels as f64 / most as f64).sqrt().ceil().max(1.0) as usize,
+    };
+    // The first one is at the middle of a step, because the edge of a range hardly shows a cuboid.
+    seen.map(|side| side.skip(step / 2).step_by(step))
 }
 
 /// The columns and rows of a picture in which cuboids may be seen.

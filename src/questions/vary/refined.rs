@@ -11,7 +11,7 @@ use std::sync::Arc;
 use fearless_simd::Level;
 
 use super::curve::{Curve, Point, RESOLUTION};
-use super::picture::{Contender, Errors, TEXTBOOK, errors};
+use super::picture::{Compared, Contender, Errors, TEXTBOOK, errors};
 use super::variable::Variable;
 use crate::components::{ShadingMode, Viewer};
 use crate::output::Monitor;
@@ -21,8 +21,8 @@ use crate::shading::{Method, limit};
 
 /// The longest gap between two values, as a share of the range.
 const GAP: f64 = 1.0 / 32.0;
-/// The pixels of a picture, about.
-const PIXELS: f64 = 4000.0;
+/// The most pixels of a picture that are compared.
+pub const PIXELS: usize = 4000;
 
 /// The errors of four contenders over the range of a variable.
 #[derive(Clone, Debug)]
@@ -50,7 +50,7 @@ fn contenders(tolerance: f64) -> [Contender; 4] {
 }
 
 impl Refined {
-    /// No values of a scene yet. `size` is that of the picture that small ones stand for.
+    /// No values of a scene yet. `size` is that of the pictures.
     ///
     /// # Errors
     /// If the scene does not have the variable.
@@ -72,13 +72,11 @@ impl Refined {
         } else {
             scene.view.tolerance
         };
-        let [width, height] = size.map(|side| side as f64);
-        let smaller = (PIXELS / (width * height)).sqrt().min(1.0);
         Ok(Refined {
             is_zoom: variable.is_zoom(&scene.spawn()),
             variable,
             limit: limit(kept),
-            size: [width, height].map(|side| (side * smaller).ceil().max(1.0) as usize),
+            size,
             scene: Arc::new(scene),
             found: Vec::new(),
             is_all: false,
@@ -118,7 +116,8 @@ impl Refined {
             (monitor.progress)("varying", (self.found.len() as f64 * GAP).min(1.0));
             let scene = self.variable.scene(&self.scene, value)?;
             let contenders = contenders(scene.view.tolerance);
-            let errors = errors(&scene, self.size, &contenders, level, false, monitor).await?;
+            let compared = Compared::Lattice(PIXELS);
+            let errors = errors(&scene, self.size, &contenders, level, compared, monitor).await?;
             let place = self.found.partition_point(|it| it.0 < value);
             self.found.insert(place, (value, errors));
         }

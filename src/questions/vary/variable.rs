@@ -118,7 +118,7 @@ impl Variable {
             "rotation" | "azimuth" => [-180.0, 180.0],
             "elevation" => [-80.0, 80.0],
             // Where pictures of the cuboids are large, and a pixel.
-            "zoom" => [0.5, 100.0].map(|factor| (factor * value).clamp(1e-200, 1e200)),
+            "zoom" => [0.5, 1000.0].map(|factor| (factor * value).clamp(1e-200, 1e200)),
             "position" | "target" | "up" => {
                 [-1.0, 1.0].map(|way| value + way * value.abs().max(1.0))
             }

@@ -13,7 +13,7 @@ use crate::output::words::capital;
 use crate::questions::trade::verdict::method_name;
 use crate::questions::vary::curve::Curve;
 use crate::questions::vary::export::number as in_words;
-use crate::questions::vary::refined::Refined;
+use crate::questions::vary::refined::{PIXELS, Refined};
 use crate::questions::vary::variable::Variable;
 use crate::scene::SceneRecord;
 use crate::shading::Method;
@@ -28,8 +28,9 @@ use crate::window::widgets::{BAD, INK, mode_ink, number, rounded, still, wait};
 
 const ABOUT: &str = "The largest error of the picture against exact Phong, in levels of 255, over the range of a number. Drag the \
                      line to change the number; a click on a curve chooses its method, or compares the unit vectors in a wipe. The button beside a number of the scene shows that one.";
-const SMALL: &str = "An interval encloses the exact level of each pixel. A small picture takes a moment, and has few large squares: \
-                     the renderer's errors within the tolerance are smaller in it than in the window.";
+const LATTICE: &str = "Each value is drawn as large as the picture. An interval encloses the exact level of each compared pixel. \
+                       Where the cuboids take more pixels, every second one is compared in each direction, or every third, and so on: an error \
+                       between them is not found. `vary` on the command line compares all.";
 /// The ends of the axis of errors, in levels. A smaller error is drawn at the first.
 const ERRORS: [f64; 2] = [1e-4, 500.0];
 const HEIGHT: f32 = 230.0;
@@ -119,8 +120,9 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let known = known.filter(|it| it.is_same(wanted));
     let curves = known.map(Refined::curves).unwrap_or_default();
     let [width, height] = wanted.size;
-    let pictures = format!("error in small pictures, {width}x{height}");
-    ui.small(pictures).on_hover_text(SMALL);
+    let pictures =
+        format!("error in pictures of {width}x{height}, at a lattice of up to {PIXELS} pixels");
+    ui.small(pictures).on_hover_text(LATTICE);
     if known.is_some_and(Refined::is_still) {
         ui.colored_label(BAD, "This number does not change the picture.");
     }

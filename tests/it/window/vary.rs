@@ -7,15 +7,17 @@ use egui::{Key as Press, Pos2, Rect, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{ShadingMode, common_mode};
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
-use shadetrade::questions::prove::Verdict;
 use shadetrade::questions::vary::curve::Curve;
-use shadetrade::questions::vary::refined::Refined;
+use shadetrade::questions::vary::picture::{Compared, errors};
+use shadetrade::questions::vary::refined::{PIXELS, Refined};
 use shadetrade::questions::vary::variable::{Variable, present};
 use shadetrade::scene::SceneRecord;
 use shadetrade::scene::key::Key;
+use shadetrade::shading::Method;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 
@@ -84,7 +86,7 @@ fn curves_reach_from_end_to_end_and_end_within_a_hundredth() {
             let ends = [curve.points.first(), curve.points.last()].map(|it| it.map(|it| it.value));
             assert_eq!(ends, [Some(variable.from), Some(variable.to)], "{key}");
             for pair in curve.points.windows(2) {
-                let is_kept = |at: usize| Verdict::of(pair[at].found.error, 0.5) == Verdict::Proven;
+                let is_kept = |at: usize| pair[at].found.keeps(0.5);
                 let gap = variable.share(pair[1].value) - variable.share(pair[0].value);
                 let is_next =
                     variable.key.last() == "segments" && pair[1].value - pair[0].value < 1.5;
@@ -141,6 +143,57 @@ fn the_line_is_dragged_and_a_click_on_a_curve_chooses_its_method() {
     );
     assert_eq!(mode(&harness), Some(ShadingMode::Gouraud));
     assert!((value(harness.state(), key) - dragged).abs() < 1e-12);
+}
+
+/// Small cuboids at every pixel, and large ones at some of them.
+#[test]
+fn values_are_drawn_and_compared_at_the_size_of_the_picture_as_the_command_does() {
+    let record = SceneRecord::of(&default_scene().world);
+    let contenders = [(Gouraud, 0.5), (Phong, 0.5), (UnitVectors, 0.0)];
+    let contenders = contenders.map(|(mode, tolerance)| Method::of(mode, tolerance).into());
+    let (level, none) = (Level::new(), Monitor::NONE);
+    for size in [[240, 180], [161, 121]] {
+        let zoom = Variable::parse("camera.1.orbit.zoom=0.5..500", &record).expect("a number");
+        let refined = Refined::new(zoom.clone(), &record, size).expect("a scene");
+        let refined = finished(refined.refine(17, level, none)).expect("it fits");
+        let curves = refined.curves();
+        let (mut small, mut large) = (0, 0);
+        for index in 0..curves[0].1.points.len() {
+            let value = curves[0].1.points[index].value;
+            let scene = zoom.scene(&record, value).expect("it is legal");
+            let all = finished(errors(
+                &scene,
+                size,
+                &contenders,
+                level,
+                Compared::All,
+                none,
+            ));
+            for (all, (_, curve)) in all.expect("it fits").of.iter().zip(&curves) {
+                let some = curve.points[index].found;
+                // A box takes half of the rectangle around it at least.
+                if all.pixels <= PIXELS / 4 {
+                    small += usize::from(some.pixels > 0);
+                    assert_eq!(
+                        (some.error, some.pixels),
+                        (all.error, all.pixels),
+                        "{value}"
+                    );
+                } else {
+                    large += usize::from(some.pixels < all.pixels);
+                    assert!(
+                        (PIXELS / 16..=PIXELS).contains(&some.pixels),
+                        "{value}: {some:?}"
+                    );
+                    assert!(
+                        (0..2).all(|end| some.error[end] <= all.error[end]),
+                        "{value}"
+                    );
+                }
+            }
+        }
+        assert!(small >= 9 && large >= 9, "{small}, {large}");
+    }
 }
 
 #[test]
