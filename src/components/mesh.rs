@@ -101,7 +101,8 @@ impl Mesh {
         }
     }
 
-    /// A point (u, v) of a face, -1 to 1 along its edges: its place, and its unit normal between those at the corners.
+    /// A point (u, v) of a face, -1 to 1 along its edges: its place, and its normal between those at the corners, not of length 1.
+    /// Both are affine functions of u and v.
     pub fn on_face(&self, face: usize, normals: &[DVec3; 4], [u, v]: [f64; 2]) -> (DVec3, DVec3) {
         let corners = FACES[face].map(|corner| self.corners[usize::from(corner)]);
         let axes = axes_along(face);
@@ -114,7 +115,7 @@ impl Mesh {
         };
         let terms = corners.iter().zip(normals);
         let normal = terms.map(|(corner, normal)| *normal * weight(*corner));
-        (place, unit(normal.sum()))
+        (place, normal.sum())
     }
 
     /// The corners of a cell of a face's grid, by the points' numbers along the face's axes, in the order of [`FACES`].

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use anyhow::ensure;
 use glam::DVec3;
 
-use crate::components::{FACES, Mesh, NormalMode, Normals, TRIANGLES, Transform, View};
+use crate::components::{FACES, Mesh, NormalMode, Normals, TRIANGLES, Transform, View, unit};
 use crate::output::files::{folder_of, write_all};
 use crate::output::words::counted;
 use crate::output::{one_line, say};
@@ -170,7 +170,7 @@ fn object(
             let own = normals.of_face(face);
             for (place, normal) in grid().map(|(_, uv)| mesh.on_face(face, &own, uv)) {
                 lines.push(format!("v{}", numbers(position + axes * place)));
-                lines.push(format!("vn{}", numbers(normal)));
+                lines.push(format!("vn{}", numbers(unit(normal))));
             }
             let name = |[i, j]: [usize; 2]| {
                 let point = j * (count + 1) + i;

@@ -2,8 +2,8 @@
 //!
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed for cuboids
 //! with Gouraud shading: at the eight corners, with face normals at the four corners of each visible face, or with several
-//! segments at the points of the grid of each visible face. With flat shading they are those at the middle of each visible
-//! face.
+//! segments at the points of the grid of each visible face, eight at a time. With flat shading they are those at the middle
+//! of each visible face.
 
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;
@@ -12,11 +12,13 @@ use glam::DVec3;
 use hecs::World;
 
 use crate::components::{
-    FACES, Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
-    Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, unit,
+    FACES, Illumination, Lens, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
+    Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, length, unit,
 };
 use crate::shading::Surface;
+use crate::shading::affine::Affine;
 use crate::shading::face::Plane;
+use crate::shading::simd::{dispatch, inlined};
 use crate::systems::frame::{DrawList, Frame};
 
 /// Overwrites the frame's [`Illumination`], then the [`VertexColors`] of every cuboid under Gouraud or flat shading.
@@ -25,6 +27,7 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         world.query_mut::<(&Transform, &Light)>().into_iter(),
         &mut frame.list.illumination,
     );
+    let level = frame.workers().level();
     for (transform, mesh, material, own, segments, normals, projected, colors) in world
         .query_mut::<(
             &WorldTransform,
@@ -74,18 +77,24 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             let mut faces = [[DVec3::ZERO; 4]; 3];
             for face in seen() {
                 let (middle, normal) = mesh.on_face(face, &normals.of_face(face), [0.0; 2]);
-                faces[face / 2] = [levels(&own_plane(face), middle, normal); 4];
+                faces[face / 2] = [levels(&own_plane(face), middle, unit(normal)); 4];
             }
             *colors = VertexColors::Face(faces);
             evaluations = seen().count();
         } else if segments.count() > 1 {
             let mut indices = [0; 3];
             for face in seen() {
-                let (plane, normals) = (own_plane(face), normals.of_face(face));
-                indices[face / 2] = grids.add(segments, |uv| {
-                    let (place, normal) = mesh.on_face(face, &normals, uv);
-                    levels(&plane, place, normal)
-                });
+                let plane = own_plane(face);
+                let surface = Surface {
+                    plane: plane.as_ref(),
+                    ..surface
+                };
+                let functions = on_face(face, mesh, normals, transform, lens);
+                indices[face / 2] = dispatch!(level, simd => grids.add(
+                    simd,
+                    segments,
+                    inlined!(|uv| surface.levels_in_lanes(&functions, uv))
+                ));
             }
             *colors = VertexColors::Grid(indices);
             evaluations = seen().count() * segments.points();
@@ -109,6 +118,30 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
         frame.counts.model_evaluations += evaluations;
         frame.counts.specular_evaluations += evaluations * surface.powers() as u64;
     }
+}
+
+/// Offset, normal and vector to the eye at the points of a face, as functions of u and v; see [`Surface::levels_in_lanes`].
+fn on_face(
+    face: usize,
+    mesh: &Mesh,
+    normals: &Normals,
+    transform: &WorldTransform,
+    lens: &Lens,
+) -> [Affine; 3] {
+    let at = |u, v| mesh.on_face(face, &normals.of_face(face), [u, v]);
+    let [middle, right, up] = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
+    let place = Affine::new(middle.0, right.0 - middle.0, up.0 - middle.0);
+    let normal = Affine::new(middle.1, right.1 - middle.1, up.1 - middle.1);
+    let offset = place.map(|it| transform.axes * it);
+    let from_centre = lens.eye - transform.position;
+    let constant = |to_eye| Affine::new(to_eye, DVec3::ZERO, DVec3::ZERO);
+    let to_eye = match lens.projection {
+        Projection::Orthographic => constant(-lens.axes[2]),
+        // A cuboid is at most 1e100 wide, and larger squares overflow.
+        Projection::Perspective if length(from_centre) > 1e150 => constant(unit(from_centre)),
+        Projection::Perspective => Affine::new(from_centre - offset.centre, -offset.dx, -offset.dy),
+    };
+    [offset, normal, to_eye]
 }
 
 /// Sums the lights that are on, by position. Ambient lights get a position at infinity, where no other light can be.
