@@ -6,7 +6,7 @@ use fearless_simd::Level;
 use glam::DVec3;
 use serde_json::Value;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{LightKind, Projection, View};
+use shadetrade::components::{LightKind, Projection, Segments, View};
 use shadetrade::output::CANCELLED;
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
@@ -253,9 +253,14 @@ fn ranges_of_a_zoom_are_heights_of_the_cuboids() {
 /// Odd sizes have a pixel in the middle, even ones have none.
 #[test]
 fn heights_at_which_a_method_does_are_those_of_every_size() {
-    let record = default_record();
-    let shortcut = Method::of(UnitVectors, 0.0);
-    for method in [Method::of(Gouraud, 0.5), shortcut] {
+    let fine = Method::with(Gouraud, Segments::new(16), 0.5);
+    for (method, tolerance, is_kept) in [
+        (Method::of(Gouraud, 0.5), 0.5, false),
+        (Method::of(UnitVectors, 0.0), 0.5, false),
+        (fine, 2.0, true),
+    ] {
+        let mut record = default_record();
+        record.view.tolerance = tolerance;
         let heights = [[40, 30], [41, 31], [95, 70]].map(|size| {
             let variable = Variable::parse("camera.1.orbit.zoom=1..1000", &record);
             let mut request = request(&record, variable.expect("a range"), 31);
@@ -266,9 +271,10 @@ fn heights_at_which_a_method_does_are_those_of_every_size() {
                 .heights
                 .clone()
                 .expect("it is a zoom");
-            // The largest at which it does, in pixels; 0 if it does at none.
-            heights.as_flattened().iter().copied().fold(0.0, f64::max)
+            // The largest from which on it does, in pixels; 0 if it does at none.
+            heights.last().map_or(0.0, |range| range[0])
         });
+        assert_eq!(heights.iter().all(|it| *it > 0.0), is_kept, "{heights:?}");
         let [least, most] = [f64::min, f64::max].map(|of| heights.into_iter().reduce(of));
         let difference = most.expect("three") - least.expect("three");
         assert!(difference <= 1.0, "{}: {heights:?}", method.id);

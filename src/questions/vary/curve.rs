@@ -10,6 +10,19 @@ use crate::questions::prove::Verdict;
 
 /// Ends are searched to this share of the range.
 pub const RESOLUTION: f64 = 0.01;
+/// Cuboids of these heights in pixels are small: whether the centre of a pixel lies in a highlight changes with the least zoom.
+const SMALL: [f64; 2] = [0.5, 8.0];
+/// The logarithm of the ratio of two heights of small cuboids between which nothing is looked at.
+const STEP: f64 = 0.02;
+
+/// The steps between two heights of small cuboids.
+pub fn steps_between(heights: [Option<f64>; 2]) -> f64 {
+    let [least, most] = SMALL;
+    let [Some(one), Some(other)] = heights.map(|it| Some(it?.clamp(least, most))) else {
+        return 0.0;
+    };
+    (one / other).ln().abs() / STEP
+}
 
 /// The errors at one value.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -61,7 +74,13 @@ impl Curve {
         let drawn = points.iter().filter(|it| it.found.pixels > 0);
         let verdicts = drawn.map(|it| Verdict::of(it.found.error, limit));
         let worst = verdicts.max().unwrap_or(Verdict::Proven);
-        let keeps = ranges(variable, &points, |found| found.keeps(limit), find)?;
+        let dense = height
+            .as_ref()
+            .map(|height| dense(variable, &points, find, height));
+        let dense = dense.transpose()?;
+        let between = dense.as_ref().unwrap_or(&points);
+        let keeps = ranges(variable, between, |found| found.keeps(limit), find)?;
+        let empty = ranges(variable, between, |found| found.pixels == 0, find)?;
         let heights = height.and_then(|height| {
             let of_range = |[from, to]: &[f64; 2]| Some([height(*from)?, height(*to)?]);
             keeps.iter().map(of_range).collect()
@@ -71,7 +90,7 @@ impl Curve {
             is_undecided: worst == Verdict::Undecided,
             heights,
             keeps,
-            empty: ranges(variable, &points, |found| found.pixels == 0, find)?,
+            empty,
             points,
         })
     }
@@ -115,6 +134,32 @@ impl Curve {
         let places = self.places(&self.empty);
         (!self.empty.is_empty()).then(|| places.replace("everywhere", "anywhere"))
     }
+}
+
+/// The points, and those at the steps between small cuboids.
+fn dense(
+    variable: &Variable,
+    points: &[Point],
+    find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
+    height: impl Fn(f64) -> Option<f64>,
+) -> anyhow::Result<Vec<Point>> {
+    let mut dense: Vec<Point> = points.first().copied().into_iter().collect();
+    for pair in points.windows(2) {
+        let ends = [pair[0].value, pair[1].value];
+        let [from, to] = ends.map(|value| variable.share(value));
+        let steps = steps_between(ends.map(&height)).ceil();
+        for step in 1..steps as u32 {
+            let value = variable.at(from + (to - from) * f64::from(step) / steps);
+            let found = find(value)?.map(|found| Point {
+                value,
+                found,
+                milliseconds: None,
+            });
+            dense.extend(found);
+        }
+        dense.push(pair[1]);
+    }
+    Ok(dense)
 }
 
 /// The ranges in which errors are `sought`, from the first value to the last.

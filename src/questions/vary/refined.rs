@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use fearless_simd::Level;
 
-use super::curve::{Curve, Point, RESOLUTION};
+use super::curve::{Curve, Point, RESOLUTION, steps_between};
 use super::picture::{Compared, Contender, Errors, TEXTBOOK, errors};
 use super::variable::Variable;
 use crate::components::{ShadingMode, Viewer};
@@ -138,7 +138,8 @@ impl Refined {
             let middle = variable.at(f64::midpoint(from, to));
             let is_end = is_kept(&pair[0].1) != is_kept(&pair[1].1);
             let longest = if is_end { RESOLUTION } else { GAP };
-            let excess = (to - from) / longest;
+            let heights = [&pair[0], &pair[1]].map(|it| it.1.height.filter(|_| self.is_zoom));
+            let excess = ((to - from) / longest).max(steps_between(heights));
             (excess > 1.0 && pair[0].0 < middle && middle < pair[1].0).then_some((middle, excess))
         });
         let longest = gaps.max_by(|one, other| one.1.total_cmp(&other.1));

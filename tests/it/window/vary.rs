@@ -153,7 +153,7 @@ fn values_are_drawn_and_compared_at_the_size_of_the_picture_as_the_command_does(
     let contenders = contenders.map(|(mode, tolerance)| Method::of(mode, tolerance).into());
     let (level, none) = (Level::new(), Monitor::NONE);
     for size in [[240, 180], [161, 121]] {
-        let zoom = Variable::parse("camera.1.orbit.zoom=0.5..500", &record).expect("a number");
+        let zoom = Variable::parse("camera.1.orbit.zoom=0.5..10", &record).expect("a number");
         let refined = Refined::new(zoom.clone(), &record, size).expect("a scene");
         let refined = finished(refined.refine(17, level, none)).expect("it fits");
         let curves = refined.curves();
