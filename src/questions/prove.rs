@@ -18,11 +18,11 @@
 
 mod cause;
 pub mod command;
+mod judgement;
 mod png;
 
 use std::cmp::Ordering::Equal;
 use std::ops::Range;
-use std::{array, mem};
 
 use fearless_simd::Level;
 use hecs::World;
@@ -33,19 +33,16 @@ use crate::output::Monitor;
 use crate::output::memory;
 use crate::output::progress::bands;
 use crate::questions::metrics::{difference, displayed, ends};
-use crate::reference::{EnclosedSquare, Interval, MAX_SIDE, Real, Reference, Seen};
+use crate::reference::{Interval, MAX_SIDE, Real, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers, display_step};
 pub use cause::causes;
+use judgement::Judgement;
 pub use png::{PngPicture, read as read_png};
 
 /// How far a level may be from its byte, in levels.
 const ROUNDING: f64 = 0.5;
-
-/// The share of the limit that the error of a square's enclosure may take. Smaller shares need smaller squares; with larger ones
-/// more pixels are enclosed by themselves.
-const SHARE_OF_SQUARES: f64 = 0.25;
 
 /// The most pixels in the list of examples.
 const EXAMPLES: usize = 10;
@@ -165,7 +162,7 @@ pub struct Proof {
     pub marks: Vec<Mark>,
     /// The pixels of squares that may have the largest error, with their largest possible error.
     #[serde(skip)]
-    candidates: Vec<([usize; 2], Shown, f64)>,
+    candidates: Vec<([usize; 2], f64)>,
     /// The largest error of the pixels of squares is at least this.
     #[serde(skip)]
     least_worst: f64,
@@ -340,30 +337,25 @@ impl Proof {
         mark
     }
 
-    /// Judges a pixel by the enclosure of its square, which is wider than its own.
-    fn add_in_square(&mut self, pixel: [usize; 2], shown: Shown, error: [f64; 2]) {
-        self.in_squares += 1;
-        if shown.face.is_some() {
-            self.own += 1;
-            self.own_proven += 1;
-        }
+    /// Adds pixels that the enclosure of their square proves, all with this least and this largest possible error: the first
+    /// of them, and their indices.
+    fn add_in_square(
+        &mut self,
+        first: [usize; 2],
+        indices: Range<usize>,
+        mark: Mark,
+        error: [f64; 2],
+    ) {
+        let count = indices.len() as u64;
+        self.marks[indices].fill(mark);
+        self.in_squares += count;
+        let own = if mark.is_covered { count } else { 0 };
+        self.own += own;
+        self.own_proven += own;
         let [least, most] = error;
         self.least_worst = self.least_worst.max(least);
         if most > self.least_worst {
-            self.candidates.push((pixel, shown, most));
-        }
-    }
-
-    /// Finds the largest error among pixels of squares: those that may have it are enclosed by themselves.
-    fn find_worst(&mut self, enclosures: &Reference<Interval>) {
-        let mut candidates = mem::take(&mut self.candidates);
-        candidates.sort_by(|(.., one), (.., other)| other.total_cmp(one));
-        for (pixel, shown, most) in candidates {
-            if most <= self.worst {
-                return;
-            }
-            let (_, error) = judge(shown, &enclosures.at(pixel), self.limit);
-            self.worst = self.worst.max(error[1]);
+            self.candidates.push((first, most));
         }
     }
 }
@@ -438,109 +430,12 @@ pub async fn prove_at<const COUNT: usize>(
                 proof.append(strip);
             }
         }
-        for proof in &mut proofs {
-            proof.find_worst(&judgement.enclosures);
+        for (at, proof) in proofs.iter_mut().enumerate() {
+            judgement.find_worst(at, proof);
         }
     }
     proofs.iter_mut().for_each(Proof::count);
     Ok(proofs)
-}
-
-/// A picture to be proven at several limits, and its enclosures.
-struct Judgement<'a, const COUNT: usize> {
-    enclosures: Reference<Interval>,
-    reference: Reference<f64>,
-    /// The picture of another program.
-    picture: Option<&'a [u32]>,
-    /// Levels and bytes of the renderer's picture, from `first_row` on.
-    frames: [[Frame; 2]; COUNT],
-    /// In levels.
-    limits: [f64; COUNT],
-    width: usize,
-    first_row: usize,
-}
-
-impl<const COUNT: usize> Judgement<'_, COUNT> {
-    /// A pixel as it is drawn at each limit.
-    fn shown(&self, [x, y]: [usize; 2], seen: &[Seen<Interval>]) -> [Shown; COUNT] {
-        array::from_fn(|index| {
-            if let Some(picture) = self.picture {
-                return Shown::of_bytes(picture[y * self.width + x], seen, self.limits[index]);
-            }
-            let [levels, display] = &self.frames[index];
-            Shown::at((y - self.first_row) * self.width + x, levels, display)
-        })
-    }
-
-    /// Proves some rows, at most [`MAX_SIDE`] of them: in squares, and the pixels that these leave open by themselves.
-    fn strip(&self, rows: &Range<usize>) -> [Proof; COUNT] {
-        let squares = if self.picture.is_some() {
-            Vec::new()
-        } else {
-            let least = self.limits.into_iter().fold(f64::INFINITY, f64::min);
-            self.enclosures.squares(rows, least * SHARE_OF_SQUARES)
-        };
-        let mut square_of = vec![None; rows.len() * self.width];
-        for square in &squares {
-            for row in square.rows.clone() {
-                let start = (row - rows.start) * self.width;
-                square_of[start..][square.columns.clone()].fill(Some(square));
-            }
-        }
-        let mut proofs = self.limits.map(|_| Proof {
-            marks: vec![UNKNOWN; square_of.len()],
-            ..Proof::default()
-        });
-        for (y, squares) in rows.clone().zip(square_of.chunks(self.width)) {
-            let first = (y - rows.start) * self.width;
-            let is_open = |x: &usize| {
-                squares[*x].is_none_or(|square| {
-                    !self.add_in_square([*x, y], first + x, square, &mut proofs)
-                })
-            };
-            let open: Vec<_> = (0..self.width).filter(is_open).collect();
-            let mut exact = Vec::with_capacity(open.len());
-            let columns = open.iter().copied();
-            self.reference
-                .part_of_row(y, columns.clone(), |_, seen| exact.push(seen[0]));
-            let mut exact = exact.into_iter();
-            self.enclosures.part_of_row(y, columns, |x, seen| {
-                let error = exact
-                    .next()
-                    .and_then(|exact| nearest(exact.face(), exact.levels, seen));
-                let most = error.map_or(255.0, |[_, most]| most);
-                let drawn = self.shown([x, y], seen).into_iter().zip(self.limits);
-                for (proof, (shown, limit)) in proofs.iter_mut().zip(drawn) {
-                    proof.marks[first + x] = proof.add([x, y], shown, seen, limit);
-                    proof.reference_error = proof.reference_error.max(most);
-                }
-            });
-        }
-        proofs
-    }
-
-    /// Adds a pixel to the proofs at an index, if the enclosure of its square proves it at all limits.
-    fn add_in_square(
-        &self,
-        pixel: [usize; 2],
-        index: usize,
-        square: &EnclosedSquare,
-        proofs: &mut [Proof; COUNT],
-    ) -> bool {
-        let seen = [square.at(pixel)];
-        let shown = self.shown(pixel, &seen);
-        let judged: [_; COUNT] = array::from_fn(|at| judge(shown[at], &seen, self.limits[at]));
-        let is_proven = |(mark, _): &(Mark, _)| mark.verdict == Verdict::Proven;
-        if !judged.iter().all(is_proven) {
-            return false;
-        }
-        for (proof, (shown, (mark, error))) in proofs.iter_mut().zip(shown.into_iter().zip(judged))
-        {
-            proof.marks[index] = mark;
-            proof.add_in_square(pixel, shown, error);
-        }
-        true
-    }
 }
 
 #[cfg(test)]

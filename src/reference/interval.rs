@@ -31,6 +31,14 @@ pub struct Interval {
 /// Below this magnitude the error of a product or a quotient may not be a float, so that it cannot be found to be 0.
 const TINY: f64 = 1e-280;
 
+/// Whether a b is `product`, which is no smaller than [`TINY`]. The product of an odd integer of m bits and one of n bits has at
+/// least m + n - 1, and a float has 53. So most products are known to be rounded without the fma, which many processors take
+/// from a library.
+fn is_product(a: f64, b: f64, product: f64) -> bool {
+    let bits = |factor: f64| 53 - (factor.to_bits() | 1 << 52).trailing_zeros();
+    bits(a) + bits(b) <= 54 && a.mul_add(b, -product) == 0.0
+}
+
 impl Interval {
     /// Every number.
     pub const ALL: Interval = Interval {
@@ -121,7 +129,7 @@ impl Real for Interval {
         let [least, largest] = self.endpoints().map(|value| {
             let root = value.max(0.0).sqrt();
             let is_exact = value == 0.0 || value > TINY;
-            (root, is_exact && root.mul_add(root, -value) == 0.0)
+            (root, is_exact && is_product(root, root, value))
         });
         Interval::between(least, largest)
     }
@@ -200,8 +208,8 @@ impl Mul for Interval {
     fn mul(self, other: Self) -> Self {
         let product = |a: f64, b: f64| {
             let product = a * b;
-            let is_exact = a == 0.0 || b == 0.0 || product.abs() > TINY;
-            (product, is_exact && a.mul_add(b, -product) == 0.0)
+            let is_exact = product.abs() > TINY && is_product(a, b, product);
+            (product, is_exact || a == 0.0 || b == 0.0)
         };
         let ([a, b], [c, d]) = (self.endpoints(), other.endpoints());
         // The signs decide which products are the ends.
@@ -233,7 +241,7 @@ impl Div for Interval {
         let quotient = |a: f64, b: f64| {
             let quotient = a / b;
             let is_exact = a == 0.0 || quotient.abs() > TINY && a.abs() > TINY;
-            (quotient, is_exact && quotient.mul_add(b, -a) == 0.0)
+            (quotient, is_exact && is_product(quotient, b, a))
         };
         let (least, largest) = match (self.side(), c > 0.0) {
             (Some(Ordering::Greater), true) => ([a, d], [b, c]),
@@ -342,6 +350,9 @@ mod tests {
         assert_eq!((three * half + three - half).endpoints(), [4.0; 2]);
         assert_eq!((three / half).endpoints(), [6.0; 2]);
         assert_eq!((three - three).endpoints(), [0.0; 2]);
+        // All 53 bits.
+        let long = Interval::of(9_007_199_254_740_991.0);
+        assert_eq!((long * half / half).endpoints(), long.endpoints());
         let zero = Interval::of(0.0);
         assert_eq!([zero * half, half * zero, zero / half], [zero; 3]);
         assert_eq!(Interval::of(2.25).sqrt().endpoints(), [1.5; 2]);

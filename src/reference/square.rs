@@ -36,7 +36,7 @@ use super::edge::EDGE;
 use super::geometry::{Shown, descent};
 use super::illumination::reflection;
 use super::interval::Interval;
-use super::picture::{Reference, ReferenceCuboid, Seen};
+use super::picture::{Reference, ReferenceCuboid};
 use super::real::{Real, RealVector};
 use super::sight::Place;
 use crate::components::{LightKind, ShadingMode, TriangleId};
@@ -64,8 +64,8 @@ pub struct EnclosedSquare {
     /// The columns and rows of the picture.
     pub columns: Range<usize>,
     pub rows: Range<usize>,
-    /// `None` is the background.
-    triangle: Option<TriangleId>,
+    /// A triangle of the face, or [`TriangleId::NONE`].
+    pub triangle: TriangleId,
     /// By channel, power of y and power of x, in levels.
     coefficients: [[[f64; 3]; 3]; 3],
     /// The largest distance of an exact level from the polynomial, by channel.
@@ -79,22 +79,17 @@ fn middle_and_half(pixels: &Range<usize>) -> [f64; 2] {
 }
 
 impl EnclosedSquare {
-    /// The surface that a pixel of the square shows, and its levels.
-    pub fn at(&self, pixel: [usize; 2]) -> Seen<Interval> {
-        let [x, y] = [(pixel[0], &self.columns), (pixel[1], &self.rows)].map(|(pixel, range)| {
-            let [middle, half] = middle_and_half(range);
-            (pixel as f64 + 0.5 - middle) / half
+    /// The polynomial at the pixels of a row, from left to right. It is at most `error` away from the exact levels.
+    pub fn row(&self, row: usize) -> impl Iterator<Item = [f64; 3]> {
+        let [x, y] = [&self.columns, &self.rows].map(middle_and_half);
+        let place = |pixel: usize, [middle, half]: [f64; 2]| (pixel as f64 + 0.5 - middle) / half;
+        let y = place(row, y);
+        let along = self.coefficients.map(|rows| {
+            [0, 1, 2].map(|power| rows[0][power] + (rows[1][power] + rows[2][power] * y) * y)
         });
-        let levels = [0, 1, 2].map(|channel| {
-            let [a, b, c] = self.coefficients[channel].map(|[a, b, c]| a + (b + c * x) * x);
-            let level = a + (b + c * y) * y;
-            Interval::of(level) + Interval::new(-self.error[channel], self.error[channel])
-        });
-        Seen {
-            triangle: self.triangle,
-            levels,
-            is_hidden: false,
-        }
+        let level = |[a, b, c]: [f64; 3], x: f64| a + (b + c * x) * x;
+        let columns = self.columns.clone().map(move |column| place(column, x));
+        columns.map(move |x| along.map(|along| level(along, x)))
     }
 }
 
@@ -378,7 +373,7 @@ impl Reference<Interval> {
         let mut square = EnclosedSquare {
             columns: pixels[0].clone(),
             rows: pixels[1].clone(),
-            triangle: None,
+            triangle: TriangleId::NONE,
             coefficients: [[[0.0; 3]; 3]; 3],
             error: [0.0; 3],
         };
@@ -418,7 +413,7 @@ impl Reference<Interval> {
             let bound = largest(interpolation.0[channel] + exact(of_samples));
             square.error[channel] = bound * (1.0 + ROUNDING);
         }
-        square.triangle = Some(TriangleId::new(cuboid.number as u32, 2 * face));
+        square.triangle = TriangleId::new(cuboid.number as u32, 2 * face);
         square.error.iter().all(|it| *it <= error).then_some(square)
     }
 }

@@ -10,7 +10,7 @@ use crate::shading::simd::three;
 /// The display step: `floor(clamp(level, 0, 255) + 0.5)`, NaN gives 0.
 pub fn display_step(level: f64) -> u8 {
     let positive = if level > 0.0 { level } else { 0.0 };
-    (positive.min(255.0) + 0.5).floor() as u8
+    (positive.min(255.0) + 0.5) as u8
 }
 
 /// Three levels after the display step, 0x00RRGGBB.

@@ -1,7 +1,7 @@
 //! Squares of pixels that are enclosed at once: their enclosures hold those of each pixel by itself.
 
 use hecs::World;
-use shadetrade::components::{ShadingMode, View};
+use shadetrade::components::{ShadingMode, TriangleId, View};
 use shadetrade::questions::prove::{nearest, shown};
 use shadetrade::reference::{Interval, MAX_SIDE, Real, Reference};
 use shadetrade::scene::Scene;
@@ -22,19 +22,20 @@ fn compare(world: &World, view: &View, error: f64) -> (usize, f64) {
         let strip = start..(start + MAX_SIDE).min(view.size[1]);
         for square in reference.squares(&strip, error) {
             for y in square.rows.clone() {
-                for x in square.columns.clone() {
-                    let ([alone], of_square) = (&reference.at([x, y])[..], square.at([x, y]))
-                    else {
+                for (x, levels) in square.columns.clone().zip(square.row(y)) {
+                    let [alone] = &reference.at([x, y])[..] else {
                         panic!("pixel {x},{y} may show several surfaces");
                     };
-                    assert_eq!(alone.face(), of_square.face(), "pixel {x},{y}");
+                    let triangle = alone.triangle.unwrap_or(TriangleId::NONE);
+                    assert_eq!(triangle.face_id(), square.triangle.face_id(), "{x},{y}");
                     for channel in 0..3 {
                         let [least, largest] = alone.levels[channel].endpoints();
-                        let [low, high] = of_square.levels[channel].endpoints();
-                        let what = format!("pixel {x},{y}: {least}..{largest} in {low}..{high}");
-                        assert!(low <= least && largest <= high, "{what}");
-                        let distance = (least.midpoint(largest) - low.midpoint(high)).abs();
-                        share = share.max(2.0 * distance / (high - low));
+                        let (level, error) = (levels[channel], square.error[channel]);
+                        let what = format!("pixel {x},{y}: {least}..{largest} in {level}±{error}");
+                        assert!(level - error <= least && largest <= level + error, "{what}");
+                        // The background has no error.
+                        let distance = (least.midpoint(largest) - level).abs();
+                        share = share.max(distance / error.max(f64::MIN_POSITIVE));
                     }
                     pixels += 1;
                 }
