@@ -87,9 +87,8 @@ pub fn write_into<C: AsRef<[u8]>>(
     folder: &Path,
     files: impl IntoIterator<Item = (impl AsRef<Path>, C)>,
 ) -> anyhow::Result<()> {
-    let files = files.into_iter();
-    let files = files.map(|(name, content)| (folder.join(name), content));
-    files::write_all(&files.collect::<Vec<_>>())
+    let in_folder = |(name, content)| (folder.join(name), content);
+    files::write_all(&files.into_iter().map(in_folder).collect::<Vec<_>>())
 }
 
 /// A record as JSON text with a final line break.

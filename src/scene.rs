@@ -248,7 +248,8 @@ fn check_known(kind: &str, name: &str, names: &[String]) -> anyhow::Result<()> {
 /// A list of at most twenty names.
 fn listed(names: &[String]) -> String {
     const MOST: usize = 20;
-    let more = names.len().checked_sub(MOST).filter(|more| *more > 0);
-    let more = more.map_or_else(String::new, |more| format!(", {more} more"));
-    names[..names.len().min(MOST)].join(", ") + &more
+    match names.len().checked_sub(MOST) {
+        None | Some(0) => names.join(", "),
+        Some(more) => format!("{}, {more} more", names[..MOST].join(", ")),
+    }
 }

@@ -301,10 +301,8 @@ impl VaryOptions {
         }
         let drawing = options.open(None)?;
         let record = SceneRecord::of(&drawing.scene.world);
-        let variables = texts.iter().map(|text| Variable::parse(text, &record));
-        let variables: Vec<_> = variables
-            .collect::<Result<_, _>>()
-            .map_err(Failure::Usage)?;
+        let parsed = texts.iter().map(|text| Variable::parse(text, &record));
+        let variables: Vec<_> = parsed.collect::<Result<_, _>>().map_err(Failure::Usage)?;
         if variables.is_empty() {
             let says = "give KEY=FROM..TO, such as light.white.intensity=1..100";
             return Err(Failure::Usage(anyhow!(says)));

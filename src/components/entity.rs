@@ -8,10 +8,10 @@ pub fn in_file_order<Q: Query, T>(
     value: impl for<'a> Fn(Q::Item<'a>) -> T,
 ) -> Vec<T> {
     let mut query = world.query::<(&FileOrder, Q)>();
-    let values = query.iter().map(|(order, item)| (*order, value(item)));
-    let mut values: Vec<_> = values.collect();
-    values.sort_by_key(|(order, _)| *order);
-    values.into_iter().map(|(_, value)| value).collect()
+    let with_order = query.iter().map(|(order, item)| (*order, value(item)));
+    let mut sorted: Vec<_> = with_order.collect();
+    sorted.sort_by_key(|(order, _)| *order);
+    sorted.into_iter().map(|(_, value)| value).collect()
 }
 
 /// The entities that have a component, in file order.

@@ -182,8 +182,7 @@ impl TryFrom<String> for Side {
 
     fn try_from(text: String) -> Result<Self, String> {
         let of = |mode, segments, levels: &str| {
-            let tolerance = levels.parse().ok();
-            let tolerance = tolerance.filter(|it| Viewer::may_have(*it))?;
+            let tolerance = levels.parse().ok().filter(|it| Viewer::may_have(*it))?;
             Some(Side::Method {
                 mode,
                 segments,

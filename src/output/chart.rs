@@ -102,12 +102,12 @@ pub fn on_marked<'a>(
     marks: Option<Marks>,
 ) -> anyhow::Result<Chart<'a>> {
     let [x, y] = [axes[0].0, axes[1].0];
-    let (places, name) = marks.unwrap_or_else(|| (ticks(&axes[0].1), &label));
-    let places = [places, ticks(&axes[1].1)];
-    let mut places = places.into_iter();
+    let (places_across, name) = marks.unwrap_or_else(|| (ticks(&axes[0].1), &label));
+    let mut places = [places_across, ticks(&axes[1].1)].into_iter();
     let [columns, rows] = axes.map(|(_, range)| {
-        let places = places.next().unwrap_or_default();
-        range.log_scale().with_key_points(places)
+        range
+            .log_scale()
+            .with_key_points(places.next().unwrap_or_default())
     });
     let mut chart = ChartBuilder::on(area)
         .x_label_area_size(below)
@@ -137,8 +137,8 @@ pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
         .into_iter()
         .find(|step| end - start <= f64::from(7 * step));
     let of = |digits: &[f64]| -> Vec<f64> {
-        let decades = start.floor() as i32..=end.floor() as i32;
-        let decades = decades.filter(|decade| decade % step.unwrap_or(100) == 0);
+        let is_marked = |decade: &i32| decade % step.unwrap_or(100) == 0;
+        let decades = (start.floor() as i32..=end.floor() as i32).filter(is_marked);
         let all = decades.flat_map(|decade| digits.iter().map(move |digit| scaled(*digit, decade)));
         all.filter(|number| (axis.start..=axis.end).contains(number))
             .collect()
@@ -146,9 +146,9 @@ pub fn ticks(axis: &Range<f64>) -> Vec<f64> {
     if end - start >= 3.0 {
         return of(&[1.0]);
     }
-    let few = [&[1.0, 2.0, 5.0][..], &[1.0, 2.0, 3.0, 5.0, 7.0]];
-    let few = few.map(of).into_iter().find(|ticks| ticks.len() >= 2);
-    few.unwrap_or_else(|| of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]))
+    let few = [&[1.0, 2.0, 5.0][..], &[1.0, 2.0, 3.0, 5.0, 7.0]].map(of);
+    let enough = few.into_iter().find(|ticks| ticks.len() >= 2);
+    enough.unwrap_or_else(|| of(&[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]))
 }
 
 /// `digit` times a power of ten, rounded once, so that its decimal form is short.

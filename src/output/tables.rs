@@ -30,9 +30,12 @@ pub fn aligned(head: &[impl ToString], rows: impl IntoIterator<Item: Into<Row>>)
 pub fn markdown(head: &[&str], rows: impl IntoIterator<Item: AsRef<[String]>>) -> String {
     let row = |cells: &str| format!("| {cells} |\n");
     let rule = format!("|---{}|\n", "|---:".repeat(head.len() - 1));
-    let rows = rows.into_iter();
-    let rows: String = rows.map(|cells| row(&cells.as_ref().join(" | "))).collect();
-    row(&head.join(" | ")) + &rule + &rows
+    let mut text = row(&head.join(" | ")) + &rule;
+    text.extend(
+        rows.into_iter()
+            .map(|cells| row(&cells.as_ref().join(" | "))),
+    );
+    text
 }
 
 /// The words of a text in lines of at most `WIDTH` columns.

@@ -66,7 +66,10 @@ pub fn run(drawing: &Drawing, path: &Path) -> anyhow::Result<()> {
 
 /// Another OBJ file beside `path` that names this library, if the library exists.
 fn user_of(library: &Path, path: &Path) -> Option<PathBuf> {
-    let name = library.file_name().filter(|_| library.exists())?;
+    if !library.exists() {
+        return None;
+    }
+    let name = library.file_name()?;
     let names_it = |file: &PathBuf| {
         let lines = File::open(file).map(|file| BufReader::new(file).lines());
         let lines = lines.into_iter().flatten().map_while(Result::ok);
@@ -137,13 +140,13 @@ fn comments(drawing: &Drawing, record: &SceneRecord, view: &View) -> Vec<String>
     ];
     for light in record.light.iter().filter(|light| light.on) {
         let levels = numbers(light.color * light.intensity * light.gain);
-        let place = light
-            .position
-            .map(|at| format!(", position{}", numbers(at)));
-        let place = place.unwrap_or_default();
+        let position = match light.position {
+            Some(at) => format!(", position{}", numbers(at)),
+            None => String::new(),
+        };
         let name = one_line(&light.name);
         let kind = light.kind.name();
-        lines.push(format!("# light {name}: {kind}, levels{levels}{place}"));
+        lines.push(format!("# light {name}: {kind}, levels{levels}{position}"));
     }
     lines
 }
@@ -176,8 +179,8 @@ fn object(
                 let point = j * (count + 1) + i;
                 format!("{}//{}", *corner + point, *normal + point)
             };
-            let cells = grid().map(|(point, _)| point);
-            let cells = cells.filter(|it| !it.contains(&count));
+            let points = grid().map(|(point, _)| point);
+            let cells = points.filter(|it| !it.contains(&count));
             for [a, b, c, d] in cells.map(|cell| Mesh::cell(face, cell).map(name)) {
                 lines.extend([format!("f {a} {b} {c}"), format!("f {a} {c} {d}")]);
             }

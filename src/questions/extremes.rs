@@ -131,13 +131,13 @@ pub fn table() -> Vec<Extreme> {
 /// If there is no extreme of a name.
 pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let mut table = table();
-    let names = names.iter().map(|it| it.trim_start_matches(FOLDER));
-    let names: Vec<&str> = names.collect();
+    let asked = names.iter().map(|it| it.trim_start_matches(FOLDER));
+    let asked: Vec<&str> = asked.collect();
     let is_missing = |name: &&&str| table.iter().all(|it| it.name != **name);
-    if let Some(name) = names.iter().find(is_missing) {
+    if let Some(name) = asked.iter().find(is_missing) {
         bail!("no extreme is named {name:?}; `shadetrade extremes --list` names them");
     }
-    table.retain(|extreme| names.is_empty() || names.contains(&extreme.name));
+    table.retain(|extreme| asked.is_empty() || asked.contains(&extreme.name));
     Ok(table)
 }
 

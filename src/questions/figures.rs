@@ -34,8 +34,10 @@ use crate::systems::frame::{Frame, Keep, display_pixel};
 pub fn render(drawing: &mut Drawing, output: &Output) -> anyhow::Result<()> {
     let mut view = drawing.view();
     let budget = viewer(&drawing.scene.world).budget;
-    let chosen = budget.map(|budget| budget::choose(drawing, budget, &time_here));
-    let chosen = chosen.transpose()?.flatten();
+    let chosen = match budget {
+        Some(budget) => budget::choose(drawing, budget, &time_here)?,
+        None => None,
+    };
     if let (Some(budget), Some((one, text))) = (budget, &chosen) {
         view = one.method.view(&view);
         say(&format!("a budget of {budget} ms chooses {text}"));

@@ -140,8 +140,8 @@ pub async fn measure_report(
     let timed = methods.iter().find(|it| is_timed(it.method));
     let covered = timed.or(methods.first());
     let covered_pixels = covered.map_or(0, |it| it.counts.covered_pixels);
-    let words = std::env::args_os().skip(1);
-    let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
+    let arguments = std::env::args_os().skip(1);
+    let words: Vec<String> = arguments.map(|it| quoted(&it.to_string_lossy())).collect();
     Ok(Report {
         machine: Machine::this(drawing.level),
         command: format!("shadetrade {}", words.join(" ")),

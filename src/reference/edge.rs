@@ -132,8 +132,8 @@ mod tests {
                 let [x, y] = offset;
                 assert!(x.hypot(y) <= EDGE + ROOM, "{distance}: {offset:?}");
                 let across = (4.0 * x + 3.0 * y) / 5.0;
-                let beside = [distance + ROOM, distance - ROOM, ROOM, -ROOM];
-                let beside = beside.map(|it| (across - it).abs() < 1e-9);
+                let beside = [distance + ROOM, distance - ROOM, ROOM, -ROOM]
+                    .map(|it| (across - it).abs() < 1e-9);
                 assert!(beside.contains(&true), "{distance}: {offset:?}");
                 for (side, is_beside) in sides.iter_mut().zip(beside) {
                     *side += u32::from(is_beside);

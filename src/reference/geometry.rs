@@ -259,8 +259,8 @@ impl<R: Real> CuboidGeometry<R> {
             let edges = face.edges.iter().chain([&face.near]);
             (number, edge::inside(edges, line.place))
         };
-        let hit = self.faces().map(inside);
-        let hit: Vec<_> = hit.filter(|(_, inside)| *inside != Some(false)).collect();
+        let is_near = |(_, inside): &(_, Option<bool>)| *inside != Some(false);
+        let hit: Vec<_> = self.faces().map(inside).filter(is_near).collect();
         if let [(number, Some(true))] = hit[..] {
             return Some(Meeting {
                 points: vec![(number, self.place(number, line))],

@@ -166,9 +166,8 @@ impl<R: Real> ReferenceSurface<R> {
         let (zero, one) = (R::of(0.0), R::of(1.0));
         let sum = to_light + to_eye;
         let half = sum.unit();
-        let cosine = normal.dot(half);
         // As of o.r.
-        let cosine = cosine.both(one - (normal - half).length_squared() / R::of(2.0));
+        let cosine = (normal.dot(half)).both(one - (normal - half).length_squared() / R::of(2.0));
         let factor = cosine.max(zero).min(one).power(4.0 * self.shininess);
         match sum.length_squared().sign(0.0) {
             Some(Ordering::Greater) => factor,
@@ -193,13 +192,11 @@ impl<R: Real> ReferenceSurface<R> {
                 return self.half_vector_factor(normal, to_eye, to_light);
             }
             let reflected = reflection(normal, to_light);
-            let cosine = to_eye.dot(reflected);
-            let cosine = if self.without == Some(Rule::UnitNormal) {
-                cosine
-            } else {
+            let mut cosine = to_eye.dot(reflected);
+            if self.without != Some(Rule::UnitNormal) {
                 // For unit vectors |r - o|^2 / 2 is 1 - o.r, and its enclosure is tighter where o.r is nearly 1.
-                cosine.both(one - (reflected - to_eye).length_squared() / R::of(2.0))
-            };
+                cosine = cosine.both(one - (reflected - to_eye).length_squared() / R::of(2.0));
+            }
             cosine.max(zero).min(one).power(self.shininess)
         };
         match kind {

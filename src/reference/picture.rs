@@ -353,8 +353,8 @@ pub async fn picture(
     levels.resize(width * rows.len(), [0.0; 3]);
     let mut triangles = memory::reserve_pixels(size)?;
     triangles.resize(width * rows.len(), TriangleId::NONE);
-    let lines = levels.par_chunks_mut(width);
-    let lines = lines.zip(triangles.par_chunks_mut(width));
+    let triangle_rows = triangles.par_chunks_mut(width);
+    let lines = levels.par_chunks_mut(width).zip(triangle_rows);
     let rows = rows.into_par_iter().zip(lines);
     let draw = |(y, (levels, triangles)): (_, (&mut [_], &mut [_]))| {
         reference.row(y, |x, seen| {

@@ -116,8 +116,8 @@ impl Reference<f64> {
             let [x, y, z] = v.0;
             (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
         };
-        let lights = surface.lights.iter().zip(names).enumerate();
-        let lights = lights.map(|(index, (light, name))| {
+        let named = surface.lights.iter().zip(names).enumerate();
+        let lights = named.map(|(index, (light, name))| {
             let to_light = surface.to_light(index, place);
             let factor = |at: &FacePoint<f64>| {
                 let (normal, to_light) = (surface.normal(*face, at), surface.to_light(index, at));
@@ -130,8 +130,13 @@ impl Reference<f64> {
                 light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
             let directed = |vector| is_directed.then(|| to_world(vector));
             let is_lit = normal.dot(to_light) > 0.0;
-            let by_half = || surface.half_vector_factor(normal, to_eye, to_light);
-            let by_half = || if is_lit { by_half() } else { 0.0 };
+            let by_half = || {
+                if is_lit {
+                    surface.half_vector_factor(normal, to_eye, to_light)
+                } else {
+                    0.0
+                }
+            };
             let half_vector_factor = (light.kind == LightKind::Specular).then(by_half);
             let blinn_phong = light.levels * half_vector_factor.unwrap_or(factor);
             LightSample {

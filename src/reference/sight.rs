@@ -113,9 +113,13 @@ impl Sight<Interval> {
         }
         [0, 1].map(|axis| {
             let place = |[x, y, depth]: [Interval; 3]| {
-                let place = if axis == 0 { x } else { -y };
-                let place = if is_perspective { place / depth } else { place };
-                place / self.pitch
+                let offset = if axis == 0 { x } else { -y };
+                let on_screen = if is_perspective {
+                    offset / depth
+                } else {
+                    offset
+                };
+                on_screen / self.pitch
             };
             let places = seen.map(place).into_iter().reduce(Interval::either);
             let [least, largest] = places.unwrap_or(Interval::ALL).endpoints();

@@ -68,8 +68,8 @@ pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, (Range<usize>, String)
 
 /// The line with the most dots. The parser does not say where a key of too many parts is.
 fn deepest_key(text: &str) -> Range<usize> {
-    let line = text.lines().max_by_key(|line| line.matches('.').count());
-    let line = line.unwrap_or_default().trim();
+    let deepest = text.lines().max_by_key(|line| line.matches('.').count());
+    let line = deepest.unwrap_or_default().trim();
     let start = line.as_ptr().addr() - text.as_ptr().addr();
     start..start + line.len()
 }

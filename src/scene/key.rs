@@ -31,9 +31,10 @@ pub struct Key(Vec<String>);
 impl From<&str> for Key {
     /// Reads a dotted key of TOML. A name needs quotes only for a dot or a space.
     fn from(text: &str) -> Key {
-        let parts = toml_edit::Key::parse(text);
-        let parts = parts.map(|parts| parts.iter().map(|it| it.get().to_owned()).collect());
-        Key(parts.unwrap_or_else(|_| text.split('.').map(str::to_owned).collect()))
+        Key(match toml_edit::Key::parse(text) {
+            Ok(parts) => parts.iter().map(|it| it.get().to_owned()).collect(),
+            Err(_) => text.split('.').map(str::to_owned).collect(),
+        })
     }
 }
 
@@ -166,14 +167,20 @@ impl Key {
     /// The place of the value in a scene. A key that is left out gets an empty table.
     fn find<'a>(&self, mut value: &'a mut Value) -> anyhow::Result<&'a mut Value> {
         for (depth, part) in self.0.iter().enumerate() {
-            let above = Key(self.0[..depth].to_vec());
-            let names = above.names(value);
+            let parent = Key(self.0[..depth].to_vec());
+            let names = parent.names(value);
             let Some(place) = names.iter().position(|it| it == part) else {
-                let above = Some(above.to_string()).filter(|_| depth > 0);
-                let above = above.as_deref().unwrap_or("a scene");
-                let names = Some(listed(&names)).filter(|it| !it.is_empty());
-                let names = names.as_deref().unwrap_or("nothing below it");
-                bail!("there is no key {self}; {above} has {names}");
+                let owner = if depth == 0 {
+                    "a scene".to_owned()
+                } else {
+                    parent.to_string()
+                };
+                let content = if names.is_empty() {
+                    "nothing below it".to_owned()
+                } else {
+                    listed(&names)
+                };
+                bail!("there is no key {self}; {owner} has {content}");
             };
             value = match value {
                 Value::Array(all) => &mut all[place],
@@ -208,8 +215,8 @@ impl Key {
                 let own = self.without_name();
                 let explained = COMMENTS.iter().filter_map(|(key, _)| key.rsplit_once('.'));
                 let left_out = explained.filter(|it| it.0 == own && !table.contains_key(it.1));
-                let left_out = left_out.map(|(_, name)| name.to_owned());
-                table.keys().cloned().chain(left_out).collect()
+                let left_out_names = left_out.map(|(_, name)| name.to_owned());
+                table.keys().cloned().chain(left_out_names).collect()
             }
             _ => Vec::new(),
         }

@@ -156,8 +156,8 @@ impl Scene {
             Some(_) => own.to_owned(),
             None => folder.join(own),
         };
-        let scene = Scene::load_path(&path);
-        let scene = scene.map_err(|why| located((whole("scene"), why.to_string())))?;
+        let scene =
+            Scene::load_path(&path).map_err(|why| located((whole("scene"), why.to_string())))?;
         let mut record = SceneRecord::of(&scene.world);
         let step = |(index, step): (usize, StepRecord)| {
             let fault = |(keys, why): Fault| (span(text, "step", index, &keys), why);

@@ -51,8 +51,9 @@ fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Json], new: &[Json]
         return;
     }
     let list = document.entry(kind).or_insert(Item::None);
-    let written = std::mem::take(list).into_array_of_tables();
-    let written = written.unwrap_or_default();
+    let written = std::mem::take(list)
+        .into_array_of_tables()
+        .unwrap_or_default();
     // A new table leaves this key out.
     let unsaid = json!({ "orbit": Orbit::default() });
     let mut amended = ArrayOfTables::new();
@@ -159,8 +160,10 @@ fn written(value: &Json) -> Value {
         // In place of an array of the table's values, which serde reads as the table.
         Json::Object(table) => table.iter().map(|(key, it)| (key, written(it))).collect(),
         other => {
-            let float = other.as_f64().filter(|_| other.is_f64());
-            let text = float.map_or_else(|| other.to_string(), |float| format!("{float:?}"));
+            let text = match other.as_f64() {
+                Some(float) if other.is_f64() => format!("{float:?}"),
+                _ => other.to_string(),
+            };
             text.parse().expect("a record holds finite numbers")
         }
     }

@@ -67,11 +67,16 @@ pub fn shows_all(world: &World, view: &View) -> bool {
 /// The height of all cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
 pub fn height(world: &World, view: &View) -> Option<f64> {
     let lens = Lens::new(view);
+    let row = |corner: &DVec3| {
+        let point = lens.homogeneous(*corner);
+        (point.z > 0.0).then(|| lens.pixel(point)[1])
+    };
     let corners = corners(world, view, &lens);
-    let points = corners.as_flattened().iter();
-    let points = points.map(|corner| lens.homogeneous(*corner));
-    let rows = points.map(|point| (point.z > 0.0).then(|| lens.pixel(point)[1]));
-    let rows: Vec<f64> = rows.collect::<Option<_>>()?;
+    let rows: Vec<f64> = corners
+        .as_flattened()
+        .iter()
+        .map(row)
+        .collect::<Option<_>>()?;
     let [least, most] = [
         rows.iter().copied().reduce(f64::min)?,
         rows.into_iter().reduce(f64::max)?,

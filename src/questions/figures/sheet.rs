@@ -45,8 +45,7 @@ pub fn half(pixels: &[u32], size: [usize; 2]) -> Vec<u32> {
     let [width, height] = size.map(|side| side / 2);
     let means = (0..width * height).map(|index| {
         let [x, y] = [index % width * 2, index / width * 2];
-        let four = [[0, 0], [1, 0], [0, 1], [1, 1]];
-        let four = four.map(|[i, j]| pixels[(y + j) * size[0] + x + i]);
+        let four = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| pixels[(y + j) * size[0] + x + i]);
         let mean = |shift: u32| {
             let sum: u32 = four.iter().map(|color| color >> shift & 0xff).sum();
             ((sum + 2) / 4) << shift

@@ -65,9 +65,8 @@ impl ProbedSurface {
         }
         let difference =
             |light: &LightSample| (light.gouraud[channel] - light.phong[channel]).abs();
-        let lights = sample.lights.iter();
-        let lights = lights.filter(|light| light.kind != LightKind::Ambient);
-        let most = lights.max_by(|one, other| difference(one).total_cmp(&difference(other)));
+        let directed = (sample.lights.iter()).filter(|light| light.kind != LightKind::Ambient);
+        let most = directed.max_by(|one, other| difference(one).total_cmp(&difference(other)));
         let Some(light) = most else {
             let cause = "No diffuse or specular light is on: Gouraud and Phong agree.";
             return Some([cause.to_owned(), String::new()]);

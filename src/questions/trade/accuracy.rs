@@ -121,9 +121,9 @@ async fn truths(
     methods: &[Method],
     monitor: Monitor<'_>,
 ) -> anyhow::Result<HashMap<ShadingMode, Truth>> {
-    let own_modes = methods.iter().filter(|it| it.segments.is_none());
-    let own_modes = own_modes.map(|method| method.mode);
-    let own_modes = own_modes.filter(|mode| request.is_report || !mode.is_drawn());
+    let has_own_truth =
+        |it: &&Method| it.segments.is_none() && (request.is_report || !it.mode.is_drawn());
+    let own_modes = methods.iter().filter(has_own_truth).map(|it| it.mode);
     let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
     let (world, view) = (&request.drawing.scene.world, request.drawing.view());
     let mut truths = HashMap::new();

@@ -91,9 +91,9 @@ pub async fn time_in_a_process(
             let _ = input.write_all(&serde_json::to_vec(&asked)?);
         }
         let output = child.wait_with_output()?;
-        let said = String::from_utf8_lossy(&output.stderr);
-        let said = said.trim().trim_start_matches("error: ");
-        ensure!(output.status.success(), "{said}");
+        let errors = String::from_utf8_lossy(&output.stderr);
+        let why = errors.trim().trim_start_matches("error: ");
+        ensure!(output.status.success(), "{why}");
         serde_json::from_slice(&output.stdout).context("its times cannot be read")
     };
     times().context("cannot measure in a process of its own")
@@ -114,8 +114,8 @@ fn this_program() -> std::io::Result<PathBuf> {
 /// # Errors
 /// If there is none, or it cannot be measured.
 pub fn run() -> anyhow::Result<()> {
-    let asked = serde_json::from_reader(io::stdin().lock());
-    let asked: BatchRequest = asked.context("cannot read a batch from standard input")?;
+    let asked: BatchRequest = serde_json::from_reader(io::stdin().lock())
+        .context("cannot read a batch from standard input")?;
     asked.scene.check()?;
     let method = |id: &String| METHODS.iter().find(|it| it.id == id).copied();
     let methods = asked.methods.iter().map(method).collect::<Option<_>>();

@@ -82,11 +82,11 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
 
 /// Draws axes, front, points and labels.
 fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
-    let times = methods.iter().filter(|it| is_timed(it.method));
-    let times = times.map(|it| it.timing.median);
-    let least = times.clone().reduce(f64::min).unwrap_or(1.0);
+    let timed = methods.iter().filter(|it| is_timed(it.method));
+    let medians = timed.map(|it| it.timing.median);
+    let least = medians.clone().reduce(f64::min).unwrap_or(1.0);
     // Room for labels.
-    let times = least / 1.5..times.fold(least, f64::max) * 2.0;
+    let times = least / 1.5..medians.fold(least, f64::max) * 2.0;
     let axes = [
         ("time: ms a frame", times.clone()),
         ("largest error against exact Phong: levels of 255", ERRORS),
@@ -95,9 +95,9 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
     let line = front_line(methods, times.end);
     chart.draw_series([PathElement::new(line, FAINT.stroke_width(2))])?;
     let curve = vertices(methods.iter().copied()).into_iter();
-    let curve = curve.map(|it| place_of(it, times.end));
+    let points: Vec<_> = curve.map(|it| place_of(it, times.end)).collect();
     let line = color(ShadingMode::Gouraud).mix(0.5).stroke_width(1);
-    chart.draw_series([PathElement::new(curve.collect::<Vec<_>>(), line)])?;
+    chart.draw_series([PathElement::new(points, line)])?;
     for one in methods.iter().filter(|it| is_timed(it.method)) {
         let (_, error) = place_of(one, times.end);
         let within = |end: f64| (end.clamp(times.start, times.end), error);
