@@ -11,6 +11,7 @@
 //! Each room is a struct of its own and knows no other; [`App`] carries values between them.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use egui::{Event, OutputCommand, RawInput, ViewportId};
@@ -298,6 +299,14 @@ impl App {
             self.receive(self.desk.now);
         }
         Ok(())
+    }
+
+    /// Whether the present picture is the one that was drawn last, about which the facts are.
+    pub(super) fn is_drawn(&self) -> bool {
+        let drawn = self.canvas.drawn.as_ref();
+        drawn.is_some_and(|(state, view)| {
+            Arc::ptr_eq(state, &self.document.state) && *view == self.view()
+        })
     }
 
     /// Outdates the facts that are not those of the picture to be drawn.

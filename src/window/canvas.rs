@@ -15,7 +15,7 @@ use crate::scene::SceneRecord;
 use crate::scene::unseen::shows_all;
 use crate::systems::frame::Workers;
 
-/// The time without a change after which the picture is compared, measured and proven.
+/// The time without a change after which the picture is compared and measured.
 pub const REST: Duration = Duration::from_millis(100);
 
 /// The factor from one fit of a narrow picture to the next.

@@ -44,6 +44,7 @@ impl App {
         let width = ui.available_width();
         self.desk.has_room = width >= WIDE;
         self.take_keys(ui);
+        let was_drawn = self.is_drawn();
         if !self.is_lesson_alone() {
             self.sides(ui, width);
         }
@@ -64,6 +65,10 @@ impl App {
             self.carry_out(command);
         }
         self.note_changes();
+        if was_drawn && !self.is_drawn() && self.study.facts.proof.is_current {
+            // The status line tells of the proof of the picture before.
+            ui.ctx().request_discard("the picture has changed");
+        }
     }
 
     /// Lays out the status line, the panel and the inspector.
@@ -126,7 +131,7 @@ impl App {
                     false
                 } else {
                     let time = self.milliseconds().filter(|_| self.desk.shows_times);
-                    facts_line(ui, &self.study, method, time)
+                    facts_line(ui, &self.study, self.is_drawn(), method, time)
                 };
                 drop(viewer);
                 if is_clicked {
@@ -163,8 +168,14 @@ fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<
     }
 }
 
-/// The facts about the present picture. `time` is that of a frame, in milliseconds, where times are shown. Returns whether the error was clicked.
-fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f64>) -> bool {
+/// The facts about the present picture; `is_drawn` says whether it is the one that was proven. `time` is that of a frame, in milliseconds, where times are shown. Returns whether the error was clicked.
+fn facts_line(
+    ui: &mut Ui,
+    study: &Study,
+    is_drawn: bool,
+    method: Option<Method>,
+    time: Option<f64>,
+) -> bool {
     let name = side_name(&Side::Picture, method);
     ui.label(name).on_hover_text(METHOD);
     let mut fact = |text: String, ink: Color32, says: &str, sense: Sense| {
@@ -183,7 +194,7 @@ fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f
         let text = format!("{} levels off exact Phong", short(worst.error));
         is_clicked = fact(text, INK, ERROR, Sense::click()).clicked();
     }
-    if let Some(it) = proof.current() {
+    if let Some(it) = proof.current().filter(|_| is_drawn) {
         let pixels = it.pixels as u64;
         let (share, ink) = match pixels - it.proven {
             0 => ("every pixel".to_owned(), GOOD),
@@ -194,8 +205,18 @@ fn facts_line(ui: &mut Ui, study: &Study, method: Option<Method>, time: Option<f
         let text = format!("{share} proven within {} of {exact}", it.limit);
         fact(text, ink, about("proven"), Sense::hover());
     } else if study.is_live() {
-        let text = "not proven yet".to_owned();
-        fact(text, Color32::GRAY, about("proven"), Sense::hover());
+        // There is no proof if there was too little memory for it.
+        let text = if is_drawn && proof.is_current {
+            "not proven"
+        } else {
+            "being proven"
+        };
+        fact(
+            text.to_owned(),
+            Color32::GRAY,
+            about("proven"),
+            Sense::hover(),
+        );
     }
     let is_timed = time.is_none() || study.facts.measured_time(method).is_some();
     if study.is_live() && !(comparison.is_current && is_timed) {

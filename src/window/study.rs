@@ -16,7 +16,7 @@ use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
 use crate::components::{Camera, Side, View, ViewMode, Viewer, active_camera, alike};
 use crate::output::Monitor;
-use crate::questions::job::Drawing;
+use crate::questions::job::{Drawing, all_cores};
 use crate::questions::probe;
 use crate::questions::prove::prove;
 use crate::questions::requires::segments::fewest_segments;
@@ -157,8 +157,8 @@ impl Study {
         }
     }
 
-    /// Asks the questions whose answers the window shows and does not have, once the picture rests. Where they are answered
-    /// at once, only those that must be.
+    /// Asks the questions whose answers the window shows and does not have. Where they are answered at once, only those that
+    /// must be.
     pub fn ask(&mut self, subject: &Subject, desk: &Desk) {
         let viewer = &subject.record.view;
         let level = subject.workers.level();
@@ -314,7 +314,8 @@ impl Study {
     }
 
     /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
-    /// answered. A pixel is probed even while things move, because that takes little time.
+    /// answered. Even while things move a pixel is probed, which takes little time, and on a core that is left the picture is
+    /// proven: that work stops before the next frame is drawn.
     fn find<T: Send + 'static>(
         &mut self,
         subject: &Subject,
@@ -334,8 +335,13 @@ impl Study {
         let is_open = grows || !place(&mut self.facts).is_current;
         let work = self.work.as_ref();
         let is_next = work.is_none_or(|work| question < work.question);
-        let rests = question == Question::Probe || !self.is_live() || subject.rests;
-        if !is_open || !is_next || !rests {
+        let follows = match question {
+            Question::Probe => true,
+            Question::Prove => self.pool.is_some() && all_cores() > 1,
+            _ => false,
+        };
+        let is_due = follows || !self.is_live() || subject.rests;
+        if !is_open || !is_next || !is_due {
             return;
         }
         let (name, record) = (subject.name.to_owned(), Arc::clone(subject.record));

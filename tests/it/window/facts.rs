@@ -4,10 +4,12 @@ use std::sync::{Arc, mpsc};
 use std::time::Duration;
 
 use egui::{Key, Modifiers, Pos2};
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, View, common_mode};
 use shadetrade::output::Monitor;
+use shadetrade::questions::job::all_cores;
 use shadetrade::questions::requires::without;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::{Keep, Workers};
@@ -19,7 +21,7 @@ use shadetrade::window::inspector::Tab;
 use shadetrade::window::study::{Background, Change, Study, Subject};
 
 use super::files::on_file;
-use super::{PAUSE, Window};
+use super::{PAUSE, Window, press};
 use crate::support::records;
 use crate::support::scene::draw;
 use crate::support::window::{app, default_scene, widgets};
@@ -200,6 +202,23 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
 }
 
 #[test]
+fn the_status_line_does_not_tell_of_the_proof_of_the_picture_before() {
+    let mut window = Window::of(default_scene(), [1000, 120]);
+    window.app.desk.tab = Some(Tab::Proof);
+    window.wait(PAUSE);
+    window.wait(PAUSE);
+    assert!(window.app.study.facts.proof.is_current);
+    let mut harness = widgets(window.app, [1000, 120]);
+    let says_proven = |harness: &Harness<App>| {
+        let mut labels = harness.query_all_by_label_contains("proven within");
+        labels.next().is_some()
+    };
+    assert!(says_proven(&harness));
+    press(&mut harness, Key::P);
+    assert!(!says_proven(&harness));
+}
+
+#[test]
 fn work_that_is_dropped_ends() {
     let pool = pool().expect("the system has threads");
     let (tell, told) = mpsc::channel();
@@ -247,7 +266,14 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     for is_probed in [false, true] {
         let mut study = live();
         ask(&mut study, is_probed, false, &desk);
-        assert_eq!(works(study), is_probed, "things move");
+        let question = study.work.as_ref().map(|work| work.question);
+        // A proof needs a core of its own.
+        let expected = [
+            (is_probed, Question::Probe),
+            (all_cores() > 1, Question::Prove),
+        ];
+        let expected = expected.into_iter().find(|(is_asked, _)| *is_asked);
+        assert_eq!(question, expected.map(|(_, it)| it), "things move");
     }
     let changes: [(_, fn(&mut Study), _); 4] = [
         (true, |it| it.outdate(Change::Pixel, None), false),
