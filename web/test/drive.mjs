@@ -146,7 +146,9 @@ const checks = {
     for (const own of trade) {
       const row = rows.find((it) => it.id === own.id);
       assert.ok(Math.abs(own.error.max - row.error.max) < 1e-9 * (1 + row.error.max), row.id);
-      say(`  ${row.id.padEnd(20)} ${own.ms.median.toFixed(2).padStart(7)} ms, the program ${row.ms.median.toFixed(2).padStart(7)} ms`);
+      const [here, there] = [own, row].map((it) => it.ms === null ? "not timed" : `${it.ms.median.toFixed(2)} ms`);
+      assert.equal(own.ms === null, row.ms === null, `timed: ${row.id}`);
+      say(`  ${row.id.padEnd(20)} ${here.padStart(10)}, the program ${there.padStart(10)}`);
     }
   },
 
