@@ -451,3 +451,6 @@ fn exact(value: f64) -> Interval {
 fn length(vector: RealVector<Interval>) -> Interval {
     vector.length_squared().sqrt()
 }
+
+#[cfg(test)]
+mod tests;
