@@ -55,7 +55,7 @@ pub struct Arguments {
 pub enum Command {
     /// Opens a window on a scene; without a display, scene and options, draws the figures instead
     #[command(
-        mut_arg("size", |argument| argument.help("The size of the window in pixels of 96 to an inch, 1x1 to 16384x16384")),
+        mut_arg("size", |argument| argument.help("The size of the window in pixels of 96 to an inch, 1x1 to 16384x16384").default_value("1280x800")),
         after_help = "\
 Examples:
   shadetrade view assignment --camera 2 --shading phong

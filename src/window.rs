@@ -41,6 +41,7 @@ pub mod study;
 mod tags;
 pub mod unsaved;
 pub mod varied;
+mod vertices;
 mod viewport;
 pub mod widgets;
 pub mod words;

@@ -49,7 +49,7 @@ pub struct LessonOptions {
     /// Names the built-in lessons with their first sentences
     #[arg(long, exclusive = true)]
     pub list: bool,
-    /// The size in pixels, 1x1 to 16384x16384, of the window or of each picture of the sheet [default: 960x720, or 640x480]
+    /// The size in pixels, 1x1 to 16384x16384, of the window or of each picture of the sheet [default: 1280x800, or 640x480]
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = options::size, allow_hyphen_values = true)]
     pub size: Option<[usize; 2]>,
     /// The SIMD level and the threads.
@@ -66,7 +66,7 @@ impl LessonOptions {
         let lesson = self.lesson.as_deref().unwrap_or(Path::new(""));
         let scene = Scene::load_lesson(lesson).map_err(Failure::Usage)?;
         options::check_output(Some(lesson), self.output.as_ref())?;
-        let usual = self.output.as_ref().map_or([960, 720], |_| [640, 480]);
+        let usual = self.output.as_ref().map_or([1280, 800], |_| [640, 480]);
         Ok(Drawing {
             scene,
             size: self.size.unwrap_or(usual),

@@ -23,6 +23,7 @@ use toml::{Table, Value};
 use super::check::span;
 use super::key::Key;
 use super::{Scene, SceneRecord, built_in, error, read_text, updated};
+use crate::components::{ViewMode, Viewer};
 use crate::output::words::capital;
 
 /// The built-in lessons, as name (`lessons/NAME`) and text, in the order in which they are read.
@@ -159,6 +160,12 @@ impl Scene {
         let scene =
             Scene::load_path(&path).map_err(|why| located((whole("scene"), why.to_string())))?;
         let mut record = SceneRecord::of(&scene.world);
+        // A lesson begins with the picture, whatever the scene opens with.
+        record.view = Viewer {
+            show: ViewMode::default(),
+            divider: Viewer::default().divider,
+            ..record.view
+        };
         let step = |(index, step): (usize, StepRecord)| {
             let fault = |(keys, why): Fault| (span(text, "step", index, &keys), why);
             step.applied_to(&mut record).map_err(fault).map_err(located)

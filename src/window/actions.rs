@@ -81,7 +81,7 @@ impl App {
             Action::NextCamera => self.desk.say_any(controls::next_camera(world)),
             Action::View(mode) => controls::show(world, mode),
             Action::WipeExact => controls::wipe(world, EXACT_SIDES),
-            Action::Worst => self.explain_worst(None),
+            Action::Worst => self.explain_worst(),
             Action::Probe(right, down) => self.step_probed([right, down]),
             // It acts while it is held.
             Action::Blink => {}
@@ -96,10 +96,7 @@ impl App {
                 self.desk.say_any(controls::show_all(world, size));
             }
             Action::Rotate => self.rotation.switch(world, self.desk.now),
-            Action::Tab(tab) => {
-                let is_open = self.desk.tab == Some(tab);
-                self.desk.tab = (!is_open).then_some(tab);
-            }
+            Action::Tab(tab) => self.desk.switch(tab),
             Action::Step(steps) => {
                 self.canvas.fit_again();
                 self.step_lesson(steps);
@@ -187,23 +184,22 @@ impl App {
         if self.is_lesson_alone() {
             return self.open(BUILT_IN[0].0);
         }
-        let is_closed = self.viewer_mut().pixel.take().is_some()
-            || !self.desk.has_room && self.desk.tab.take().is_some();
+        let is_closed = self.viewer_mut().pixel.take().is_some() || self.desk.tabs.pop().is_some();
         if !is_closed {
             self.desk.say("Q quits");
         }
     }
 
-    /// Explains a pixel, and opens the tab for it.
+    /// Explains a pixel, and opens its heading.
     pub fn probe(&mut self, pixel: [usize; 2]) {
         let (size, rows) = (self.canvas.size(), self.canvas.rows());
         self.viewer_mut().set_pixel(pixel, size, rows);
-        self.desk.awaits_worst = None;
-        // The scene's tab stays open: a click selects the cuboid there.
-        if self.desk.tab == Some(Tab::Scene) {
-            self.desk.say("the tab Pixel explains it");
-        } else {
-            self.desk.tab = Some(Tab::Pixel);
+        self.desk.awaits_worst = false;
+        // The scene's numbers stay: a click selects the cuboid there.
+        if self.desk.is_open(Tab::Scene) && !self.desk.is_high {
+            self.desk.say("\"Numbers\" explains it");
+        } else if !self.desk.is_open(Tab::Pixel) {
+            self.desk.open(Tab::Pixel);
         }
     }
 
@@ -217,22 +213,28 @@ impl App {
         self.probe([0, 1].map(|axis| before.map_or(size[axis] / 2, |it| moved(it, axis))));
     }
 
-    /// Explains the worst pixel of a side of a wipe, or where none is given that of the picture or of the side that errs more;
-    /// and moves the divider where the other side hides it. What is not known yet is awaited.
-    pub(super) fn explain_worst(&mut self, side: Option<usize>) {
-        let (viewer, facts) = (self.viewer(), &self.study.facts);
-        let worst = sides(&viewer).map(|side| facts.worst(&side, self.method()));
-        let [Some(left), Some(right)] = worst else {
-            drop(viewer);
-            self.desk.awaits_worst = Some(side);
+    /// The side of a wipe that errs more, left (0) or right (1), and its worst pixel; in a single picture the picture's. `None` is
+    /// not known yet.
+    pub(super) fn worst(&self) -> Option<(usize, Option<Worst>)> {
+        let worst = |side| self.study.facts.worst(&side, self.method());
+        let [left, right] = sides(&self.viewer()).map(worst);
+        let both = [left?, right?];
+        let [left, right] = both.map(|worst| worst.map(|it| it.error));
+        let index = usize::from(right > left);
+        Some((index, both[index]))
+    }
+
+    /// Explains the worst pixel of the picture, or of the side that errs more; and moves the divider where the other side hides it.
+    /// What is not known yet is awaited.
+    pub(super) fn explain_worst(&mut self) {
+        let Some((index, worst)) = self.worst() else {
+            self.desk.awaits_worst = true;
             return self.desk.say("measuring; the worst pixel opens by itself");
         };
-        let errors = [left, right].map(|worst| worst.map(|it| it.error));
-        let index = side.unwrap_or(usize::from(errors[1] > errors[0]));
-        let Some(Worst { pixel: [x, y], .. }) = [left, right][index] else {
-            drop(viewer);
+        let Some(Worst { pixel: [x, y], .. }) = worst else {
             return self.desk.say("the picture has no worst pixel");
         };
+        let viewer = self.viewer();
         let column = self.canvas.divider_column(&viewer);
         let is_hidden = viewer.show == ViewMode::Wipe && usize::from(x >= column) != index;
         drop(viewer);
@@ -243,7 +245,7 @@ impl App {
             self.viewer_mut().divider = divider.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
         }
         self.probe([x, y]);
-        self.desk.tab = Some(Tab::Pixel);
+        self.desk.open(Tab::Pixel);
     }
 }
 

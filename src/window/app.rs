@@ -24,6 +24,7 @@ use super::desk::{Command, Desk, TURN};
 use super::document::Document;
 use super::file::INTERVAL;
 use super::inspector::Tab;
+use super::layout::{LOW, NARROW};
 use super::lesson::letters_warning;
 use super::pictures::or_dimmed;
 use super::study::{Background, Study, Subject, change};
@@ -33,9 +34,6 @@ use crate::questions::job::Drawing;
 use crate::questions::probe::Probe;
 use crate::scene::Scene;
 use crate::shading::Method;
-
-/// The width of a window that opens without its panel, in pixels.
-const NARROW: usize = 430;
 
 /// Everything but the display.
 pub struct App {
@@ -72,10 +70,11 @@ impl App {
         let document = Document::of(drawing.scene);
         let painter = Painter::default();
         super::widgets::apply_style(&painter.context);
+        let [width, height] = drawing.size.map(|side| side as f32);
         let mut desk = Desk {
             shows_times: true,
-            panel_folded: drawing.size[0] < NARROW,
-            tab: document.state.view.pixel.map(|_| Tab::Pixel),
+            panel_folded: width < NARROW && height < LOW,
+            tabs: explained_tab(&document),
             ..Desk::default()
         };
         desk.say_any(letters_warning(&document.scene.lesson));
@@ -259,14 +258,14 @@ impl App {
         }
     }
 
-    /// Notes the state that keys and widgets made. An explained pixel opens the tab for it.
+    /// Notes the state that keys and widgets made. An explained pixel opens its heading.
     pub(super) fn note_changes(&mut self) {
         let before = self.document.state.view.pixel;
         let refused = self.document.note();
         self.desk.say_any(refused);
         let pixel = self.document.state.view.pixel;
-        if pixel != before && self.desk.tab.is_none() {
-            self.desk.tab = pixel.map(|_| Tab::Pixel);
+        if pixel != before && self.desk.tabs.is_empty() {
+            self.desk.tabs = explained_tab(&self.document);
         }
     }
 
@@ -330,8 +329,8 @@ impl App {
                 self.desk.select::<Mesh>(world, "cuboid", &object);
             }
         }
-        if is_new && let Some(side) = self.desk.awaits_worst.take() {
-            self.explain_worst(side);
+        if is_new && std::mem::take(&mut self.desk.awaits_worst) {
+            self.explain_worst();
         }
         is_new
     }
@@ -357,9 +356,11 @@ impl App {
             .say_any(letters_warning(&self.document.scene.lesson));
         self.study.clear();
         self.canvas.fit_again();
-        self.desk.awaits_worst = None;
+        self.desk.awaits_worst = false;
         self.desk.selected = None;
-        self.desk.tab = self.document.state.view.pixel.map(|_| Tab::Pixel);
+        if self.document.state.view.pixel.is_some() {
+            self.desk.open(Tab::Pixel);
+        }
         self.desk.file_error = None;
     }
 
@@ -368,7 +369,6 @@ impl App {
         let now = self.desk.now;
         match command {
             Command::Run(action) => self.run(action),
-            Command::Worst(side) => self.explain_worst(Some(side)),
             Command::Vary(key) => self.desk.vary(key, &self.document.state),
             Command::StepBack => {
                 self.canvas.fit_again();
@@ -404,6 +404,12 @@ impl App {
         }
         closed.map(|()| true)
     }
+}
+
+/// The heading of the pixel that a scene explains.
+fn explained_tab(document: &Document) -> Vec<Tab> {
+    let pixel = document.state.view.pixel;
+    pixel.map(|_| Tab::Pixel).into_iter().collect()
 }
 
 /// Whether a key or the button goes down, or up.

@@ -8,19 +8,17 @@
 //! ```
 
 use egui::{
-    Align, Align2, Color32, FontId, Label, Layout, Pos2, Rect, RichText, Sense, Ui, Vec2,
-    WidgetInfo, WidgetType, vec2,
+    Align2, Color32, FontId, Label, Pos2, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, WidgetType,
+    vec2,
 };
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 use hecs::World;
 
 use super::choice::Choice;
 use super::controls::choose_method;
-use super::desk::Desk;
-use super::keys::{Action, caption};
 use super::study::Study;
-use super::widgets::{GOURAUD, INK, PHONG, mode_ink, offer, rounded, short};
-use crate::components::{ShadingMode, viewer};
+use super::widgets::{GOURAUD, INK, PHONG, mode_ink, rounded, short};
+use crate::components::viewer;
 use crate::output::chart::ticks;
 use crate::output::words::capital;
 use crate::questions::trade::plot::{FLOOR, place_of, vertices};
@@ -66,7 +64,7 @@ fn place(one: &Measurement, side: f64) -> [f64; 2] {
 }
 
 /// Shows the measured methods of this view. A click or Enter on a dot chooses one.
-pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, desk: &mut Desk) {
+pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
     let trade = &study.facts.trade;
     let method = choice.method(world);
     ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
@@ -81,14 +79,8 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World, des
             format!("{axes}{}", resolution(clock_step()))
         }
     };
-    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
-    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
-        offer(ui, desk, Action::Worst, false);
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let caption = Label::new(RichText::new(caption).small()).truncate();
-            ui.add(caption).on_hover_text(CAPTION);
-        });
-    });
+    let caption = Label::new(RichText::new(caption).small()).truncate();
+    ui.add(caption).on_hover_text(CAPTION);
     let measured = trade.current().map_or(&[][..], |it| &it.methods).iter();
     let known: Vec<_> = measured.filter(|it| it.error.is_some()).cloned().collect();
     let mut axes = axes().width(ui.available_width() - BESIDE);
@@ -140,18 +132,12 @@ fn resolution(step: f64) -> String {
     format!(", clock {}", rounded(step, 1))
 }
 
-/// Compares the method on screen with its alternatives. Under Gouraud it names the next keys to try.
+/// Compares the method on screen with its alternatives.
 fn sentence_about(ui: &mut Ui, known: &[Measurement], shown: Option<Method>) {
     let of_method = |method: Method| {
         let name = capital(&method_name(method));
         let later = || format!("{name} is not measured yet.");
-        let text = sentence(known, method).unwrap_or_else(later);
-        if method.mode != ShadingMode::Gouraud {
-            return text;
-        }
-        let key = caption(Action::Shading(ShadingMode::Phong));
-        let why = caption(Action::Worst);
-        format!("{text} {key} shows Phong. {why} tells why Gouraud errs.")
+        sentence(known, method).unwrap_or_else(later)
     };
     let mixed = || "The cuboids are shaded in different modes.".to_owned();
     let text = shown.map_or_else(mixed, of_method);

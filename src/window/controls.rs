@@ -9,7 +9,7 @@ use hecs::World;
 use super::keys::TOLERANCES;
 use crate::components::{
     Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, View, ViewMode,
-    active_camera, common, get, names, ordered, overwrite, viewer, viewer_mut,
+    Viewer, active_camera, common, get, names, ordered, overwrite, viewer, viewer_mut,
 };
 use crate::output::words::counted;
 use crate::questions::job::camera_name;
@@ -41,9 +41,19 @@ pub fn switch_light_named(world: &World, name: &str) -> Option<String> {
     }
 }
 
-/// Shades every cuboid in this mode, whatever time that takes.
+/// Whether the picture is on screen, and no wipe of two others.
+pub fn shows_picture(viewer: &Viewer) -> bool {
+    viewer.show != ViewMode::Wipe || viewer.sides.contains(&Side::Picture)
+}
+
+/// Shades every cuboid in this mode, whatever time that takes, and shows the picture in place of a wipe of others.
 pub fn shade(world: &mut World, mode: ShadingMode) {
-    viewer_mut(world).budget = None;
+    let mut viewer = viewer_mut(world);
+    viewer.budget = None;
+    if !shows_picture(&viewer) {
+        viewer.show = ViewMode::Picture;
+    }
+    drop(viewer);
     overwrite(world, &mode);
 }
 

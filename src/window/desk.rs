@@ -1,4 +1,4 @@
-//! The desk: what is open, folded, selected and said. Nothing of it changes the picture that is judged.
+//! The desk: what is open, selected and said. Nothing of it changes the picture that is judged.
 
 use std::time::Duration;
 
@@ -32,13 +32,15 @@ pub struct Desk {
     pub shows_rest: bool,
     /// The answer that was chosen to the question of a lesson's step, counted from 0.
     pub answer: Option<usize>,
-    /// Whether the inspector has a room of its own beside the picture.
-    pub has_room: bool,
-    /// The open tab of the inspector; `None` is folded.
-    pub tab: Option<Tab>,
-    /// The number that the tab Vary shows.
+    /// Whether the window is so high that several headings of the panel are open at once.
+    pub is_high: bool,
+    /// The open headings of the panel, the last opened one last.
+    pub tabs: Vec<Tab>,
+    /// The heading that comes in sight with the next layout.
+    pub revealed: Option<Tab>,
+    /// The number that is varied.
     pub varied: Option<Varied>,
-    /// The part of the model without which the picture is shown, while the tab for required parts is open.
+    /// The part of the model without which the picture is shown, while the required parts are shown.
     pub left_out: Option<Part>,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
@@ -46,12 +48,12 @@ pub struct Desk {
     pub message: Option<(String, Duration)>,
     /// The error in the scene's file.
     pub file_error: Option<String>,
-    /// The entity that the scene's tab shows.
+    /// The entity whose numbers are shown.
     pub selected: Option<EntityPlace>,
     /// Whether a click waits until it is known which cuboid it shows. That one is selected then.
     pub has_clicked: bool,
-    /// The worst pixel of this side of a wipe, or of the picture, is explained as soon as it is known.
-    pub awaits_worst: Option<Option<usize>>,
+    /// Whether the worst pixel is explained as soon as it is known.
+    pub awaits_worst: bool,
     /// Whether the keyboard's focus is in a field, or came from one.
     pub has_field: bool,
     /// Whether a field or a popup of the last layout takes Escape.
@@ -63,8 +65,6 @@ pub struct Desk {
 /// A wish of a widget, which [`super::app::App`] carries out after the layout.
 pub enum Command {
     Run(Action),
-    /// Explains the worst pixel of a side of a wipe, left (0) or right (1).
-    Worst(usize),
     Open(Box<Scene>),
     /// Shows a number against the error.
     Vary(Key),
@@ -108,14 +108,33 @@ impl Desk {
 
     /// The part without which the picture is shown.
     pub fn shown_without(&self) -> Option<Part> {
-        self.left_out.filter(|_| self.tab == Some(Tab::Required))
+        self.left_out.filter(|_| self.is_open(Tab::Required))
+    }
+
+    pub fn is_open(&self, tab: Tab) -> bool {
+        self.tabs.contains(&tab)
+    }
+
+    /// Opens a heading of the panel. In a low window the others close.
+    pub fn open(&mut self, tab: Tab) {
+        self.tabs.retain(|it| self.is_high && *it != tab);
+        self.tabs.push(tab);
+        self.revealed = Some(tab);
+    }
+
+    /// Opens a heading of the panel, or closes it.
+    pub fn switch(&mut self, tab: Tab) {
+        match self.tabs.iter().position(|it| *it == tab) {
+            Some(place) => drop(self.tabs.remove(place)),
+            None => self.open(tab),
+        }
     }
 
     /// Closes the uppermost thing that can be closed. Returns whether there was one.
     pub fn close(&mut self) -> bool {
         std::mem::take(&mut self.help)
             || self.file_error.take().is_some()
-            || self.awaits_worst.take().is_some()
+            || std::mem::take(&mut self.awaits_worst)
     }
 }
 

@@ -24,6 +24,9 @@ const NOTCH: f32 = if cfg!(windows) {
 };
 const WAYLAND_NOTCH: f32 = -10.0;
 
+/// The size of the window, in points, where none is asked for, and where the screen has no room for that.
+const USUAL: [usize; 2] = [1280, 800];
+const SMALL: [usize; 2] = [960, 720];
 /// The bits a pixel that minifb shows.
 const DEPTH: u8 = 24;
 
@@ -94,7 +97,11 @@ impl Display {
             _ => 1.0,
         };
         // A window of no size ends the program inside Xlib.
-        let [width, height] = size.map(|side| (side as f32 * scale).round().max(1.0) as usize);
+        let scaled =
+            |size: [usize; 2]| size.map(|side| (side as f32 * scale).round().max(1.0) as usize);
+        let is_beyond = |it: &Screen| (0..2).any(|axis| scaled(size)[axis] > it.size[axis]);
+        let is_small = size == USUAL && screen.as_ref().is_some_and(is_beyond);
+        let [width, height] = scaled(if is_small { SMALL } else { size });
         let mut window = minifb::Window::new(title, width, height, options).map_err(not_opened)?;
         let reports = Rc::new(RefCell::new(Vec::new()));
         window.set_input_callback(Box::new(Reporter(Rc::clone(&reports))));

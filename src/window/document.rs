@@ -172,6 +172,13 @@ impl Document {
         "read the file again".to_owned()
     }
 
+    /// The path that [`Document::save`] writes.
+    pub fn target(&self, new: bool) -> PathBuf {
+        let own = self.scene.path.clone().filter(|_| !new);
+        let path = own.unwrap_or_else(|| self.file.next_path(&self.folder));
+        std::path::absolute(&path).unwrap_or(path)
+    }
+
     /// Saves the scene, to a new file if `new`, and names it.
     ///
     /// # Errors

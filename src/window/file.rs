@@ -1,6 +1,6 @@
 //! Watches the file of the scene, reads it again after a change, and saves it with its comments kept.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -67,6 +67,20 @@ impl SceneFile {
         })
     }
 
+    /// The name of the next new file, without its ending and without a number.
+    fn stem(&self) -> String {
+        let name = self.new_name.replace(char::is_control, "_");
+        let name = name.trim();
+        name.strip_suffix(".toml").unwrap_or(name).to_owned()
+    }
+
+    /// The path of the next new file in `folder`.
+    pub fn next_path(&self, folder: &Path) -> PathBuf {
+        let stem = self.stem();
+        let mut paths = (1..).map(|number| folder.join(numbered(&stem, number)));
+        paths.find(|it| !it.exists()).unwrap_or_default()
+    }
+
     /// Saves the state of the scene to its file, or to a new one in `folder`, which is its file then.
     ///
     /// # Errors
@@ -88,11 +102,9 @@ impl SceneFile {
                 path
             }
             None => {
-                let name = self.new_name.replace(char::is_control, "_");
-                let name = name.trim();
-                let name = name.strip_suffix(".toml").unwrap_or(name);
-                ensure!(!name.is_empty(), "a new file needs a name");
-                let name = |number| numbered(name, number);
+                let stem = self.stem();
+                ensure!(!stem.is_empty(), "a new file needs a name");
+                let name = |number| numbered(&stem, number);
                 write_numbered(folder, name, text.as_bytes())?
             }
         };

@@ -1,5 +1,5 @@
-//! The inspector: tabs for the probed pixel, the scene's numbers, the required parts of the model, the proof, and a number that
-//! is varied.
+//! What stands under the headings of the panel: pictures, camera, the scene's numbers, the explained pixel, the needed parts of the
+//! model, the proof, a number that is varied.
 
 mod pixel;
 mod scene;
@@ -11,73 +11,77 @@ pub use self::pixel::section;
 pub use self::scene::entity_of;
 use super::app::App;
 use super::desk::Desk;
+use super::panel::{camera_rows, file_rows, lesson_rows, picture_rows, time_rows};
 use super::study::Study;
-use super::widgets::{INK, scrolled, short, wait};
+use super::widgets::{INK, short, wait};
 use crate::questions::requires::{PartChange, ranked};
 
-/// A page of the inspector.
+/// A heading of the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tab {
+    /// The built-in lessons.
+    Lessons,
+    /// The chart of the methods, and what is held: the error or the time.
+    Time,
+    /// The ways to show the picture.
+    Pictures,
+    Camera,
+    /// Every number of the scene, and its file.
+    Scene,
     /// The evaluation of the explained pixel.
     Pixel,
-    /// Every number of the scene.
-    Scene,
-    /// The parts of the model that the picture requires.
+    /// The parts of the model that the picture needs.
     Required,
     /// The number of proven pixels.
     Proof,
-    /// A number of the scene against error.
+    /// A number of the scene against the error.
     Vary,
 }
 
 /// The width of a table's columns before the last, in points.
 const NUMBERS: f32 = 100.0;
 
-/// The tabs with their names and sentences.
+/// The headings in their order, each with the keys that act under it and its sentence.
 #[rustfmt::skip]
-const TABS: [(Tab, &str, &str); 5] = [
-    (Tab::Pixel, "Pixel", "The computation at a pixel: click one in the picture."),
-    (Tab::Scene, "Scene", "Every number of the scene (E)."),
-    (Tab::Required, "Required", "The parts of the model that this picture requires (N)."),
-    (Tab::Proof, "Proof", "The proof that the picture keeps its tolerance."),
-    (Tab::Vary, "Vary", "A number of the scene against the error (V)."),
+pub const HEADINGS: [(Tab, &str, &str, &str); 9] = [
+    (Tab::Lessons, "Lessons", "L", "A few steps each, with a question."),
+    (Tab::Time, "Time and error", "M", "The time of a frame and the error by each method."),
+    (Tab::Pictures, "Pictures", "F2-F7", "Other pictures, and files of them."),
+    (Tab::Camera, "Camera", "C O", "The camera, its projection, and what turns."),
+    (Tab::Scene, "Scene", "E", "Every number of the scene, and its file."),
+    (Tab::Pixel, "Numbers", "click", "The computation at a pixel: click one in the picture."),
+    (Tab::Required, "Needed parts", "N", "The parts of the model that this picture needs."),
+    (Tab::Proof, "Proof", "", "The proof that the picture keeps its tolerance."),
+    (Tab::Vary, "Try a range", "V", "A number of the scene against the error."),
 ];
 
-/// Lays out the tabs and the one that is open, of a drawer with a button that folds it.
-pub fn inspector(ui: &mut Ui, app: &mut App, is_drawer: bool) {
+/// Lays out what stands under a heading.
+pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
+    let time = app.milliseconds();
     let App {
         document,
         canvas,
         study,
+        choice,
         desk,
         ..
     } = app;
-    let tab = desk.tab.unwrap_or(Tab::Pixel);
-    ui.add_space(4.0);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 1.0;
-        ui.spacing_mut().button_padding.x = 3.0;
-        for (each, name, says) in TABS {
-            let choice = ui.selectable_label(tab == each, name);
-            if choice.on_hover_text(says).clicked() {
-                desk.tab = Some(each);
-            }
+    let world = &mut document.scene.world;
+    match tab {
+        Tab::Lessons => lesson_rows(ui, &document.scene.name, desk),
+        Tab::Time => time_rows(ui, world, choice, study, time, desk),
+        Tab::Pictures => picture_rows(ui, world, desk),
+        Tab::Camera => camera_rows(ui, world, desk),
+        Tab::Scene => {
+            file_rows(ui, document, desk);
+            ui.separator();
+            scene::tab(ui, document, desk);
         }
-        if is_drawer {
-            let fold = ui.small_button("⏵");
-            if fold.on_hover_text("Folds the inspector (Esc).").clicked() {
-                desk.tab = None;
-            }
-        }
-    });
-    ui.separator();
-    scrolled(ui, tab, |ui| match tab {
-        Tab::Pixel => pixel::tab(ui, &mut document.scene.world, canvas, study),
-        Tab::Scene => scene::tab(ui, document, desk),
+        Tab::Pixel => pixel::tab(ui, world, canvas, study),
         Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),
         Tab::Proof => proof_tab(ui, study),
         Tab::Vary => vary::tab(ui, document, canvas, study, desk),
-    });
+    }
 }
 
 /// A row for each part of the model, the one with the largest error first.

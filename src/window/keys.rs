@@ -43,7 +43,7 @@ pub enum Action {
     ShowAll,
     /// Starts and stops the rotation of the cuboids.
     Rotate,
-    /// Opens and folds the tab of the inspector.
+    /// Opens and closes a heading of the panel.
     Tab(Tab),
     /// Goes to a later step of the lesson.
     Step(isize),
@@ -99,7 +99,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("flat", "Light is computed once a face, at its middle: one colour for the whole face.", &[(NO, Key::F, Action::Shading(ShadingMode::Flat))]),
         ("Gouraud", "Light is computed at the vertices, and its colours are interpolated.", &[(NO, Key::G, Action::Shading(ShadingMode::Gouraud))]),
         ("Phong", "Normals are interpolated, and light is computed at every pixel.", &[(NO, Key::P, Action::Shading(ShadingMode::Phong))]),
-        ("face normals", "Each face has its own normal: edges are sharp. Else the faces at a corner share one, and edges look smooth.", &[(NO, Key::X, Action::FaceNormals)]),
+        ("sharp edges", "Each face has its own normal: edges are sharp. Else the faces at a corner share one, and edges look smooth.", &[(NO, Key::X, Action::FaceNormals)]),
         ("more segments", "Twice as many segments along each edge of a face: Gouraud computes light at their corners, too.", &[(NO, Key::Period, Action::Segments(1))]),
         ("fewer segments", "Half as many segments along each edge of a face.", &[(NO, Key::Comma, Action::Segments(-1))]),
         ("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
@@ -132,9 +132,10 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ]),
     ]),
     ("Scene", &[
-        ("edit", "Shows every number of the scene, to be changed.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
-        ("required parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
-        ("vary", "Shows a number of the scene against the error.", &[(NO, Key::V, Action::Tab(Tab::Vary))]),
+        ("edit", "Shows every number of the scene, to be changed, and its file.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
+        ("needed parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
+        ("try a range", "Shows a number of the scene against the error.", &[(NO, Key::V, Action::Tab(Tab::Vary))]),
+        ("lessons", "A few steps each, with a question.", &[(NO, Key::L, Action::Tab(Tab::Lessons))]),
         ("next", "The next step of the lesson.", &[(NO, Key::Enter, Action::Step(1))]),
         ("back", "The step of the lesson before.", &[(NO, Key::Backspace, Action::Step(-1))]),
         ("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),
@@ -143,7 +144,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("save as new", "Writes the scene and the view to a new file.", &[(BOTH, Key::S, Action::SaveAs)]),
     ]),
     ("Window", &[
-        ("left panel", "Folds and opens the panel on the left; in a lesson, everything but the lesson.", &[(NO, Key::I, Action::Panel)]),
+        ("panel", "Folds and opens the panel; in a lesson, everything but the lesson.", &[(NO, Key::I, Action::Panel)]),
         ("help", "Shows all keys.", &[(NO, Key::H, Action::Help), (NO, Key::Questionmark, Action::Help), (NO, Key::F1, Action::Help)]),
         ("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
         ("save picture", "Writes the picture, the error map with its scale, or the wipe with its names into a PNG file.", &[(SHIFT, Key::F12, Action::SavePicture)]),

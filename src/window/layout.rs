@@ -1,57 +1,69 @@
-//! The frame of the window: the panel on the left, the inspector on the right, the status line below, the picture between.
+//! The frame of the window: the panel on the left, or below the picture in a narrow window, the question above the picture, the
+//! result below, the picture between.
 //!
-//! In a wide window the inspector has a room of its own. In a narrower one it is a drawer over the picture. So the picture keeps its
-//! size when something is opened.
+//! What opens, opens under a heading of the panel, or over the picture where the panel is folded. So the picture keeps its size.
 
 use egui::{
     Area, Color32, Frame, Grid, Id, Label, Modal, Order, Panel, Popup, Rect, RichText, ScrollArea,
-    Sense, TextWrapMode, Ui, Vec2, vec2,
+    Ui, Vec2, vec2,
 };
 
 use super::app::App;
+use super::comparison::Worst;
+use super::controls::has_face_normals;
 use super::desk::Desk;
-use super::facts::Facts;
-use super::inspector::{Tab, inspector};
-use super::keys::{Action, BINDINGS, Binding, caption_of};
-use super::lesson::heading;
-use super::panel::panel;
-use super::study::Study;
+use super::keys::{Action, BINDINGS, Binding, binding, caption_of};
+use super::lesson::{heading, text};
+use super::panel::{headings, panel};
+use super::pictures::{side_method, sides};
 use super::tags::side_name;
-use super::widgets::{BAD, GOOD, INK, scrolled, short};
+use super::widgets::{BAD, GOOD, INK, short};
 use super::words::{WORDS, about};
-use crate::components::{Side, ViewMode, Viewer};
+use crate::components::{Light, LightKind, Mesh, ShadingMode, Side, ViewMode, Viewer, names};
+use crate::output::words::capital;
 use crate::questions::trade::verdict::method_name;
 use crate::shading::Method;
 
-/// The least and the usual width of a side, in points.
+/// The least and the usual width of the panel, in points.
 const LEAST: f32 = 213.0;
 const USUAL: f32 = 300.0;
-/// The width of a window, in points, from which on the inspector has a room of its own.
-const WIDE: f32 = 1200.0;
+/// In a narrower window, in points, the panel is below the picture.
+pub const NARROW: f32 = 560.0;
+/// In a lower window, in points, the panel is folded where it would be below the picture, and nothing stands above that.
+pub const LOW: f32 = 450.0;
+/// In a higher window, in points, several headings are open at once.
+const HIGH: f32 = 900.0;
 /// The width of the words in the help, in points.
 const WORDS_WIDTH: f32 = 260.0;
-/// The width of a folded side.
+/// The width of the folded panel.
 const FOLDED: f32 = 22.0;
+/// The height of a row below the picture, in points.
+const ROW: f32 = 20.0;
+/// The letters above the picture, in points.
+const LETTERS: f32 = 15.0;
 
+const QUESTION: &str =
+    "Same box, same lamps, one difference: where is the bright spot on the left?";
+const MIXED: &str = "The cuboids are shaded in different modes.";
 const METHOD: &str = "The method on screen.";
-const TIME: &str = "The median time of a frame on all cores, or as many as --threads says, without the window around it; that of \
-                    the last frame until it is measured.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
 
 impl App {
     /// Lays out the whole window, lets keys, widgets and the mouse write into the World, and notes the changes.
     pub fn ui(&mut self, ui: &mut Ui) {
-        let width = ui.available_width();
-        self.desk.has_room = width >= WIDE;
+        let size = ui.available_size();
+        self.desk.is_high = size.y >= HIGH;
         self.take_keys(ui);
         let was_drawn = self.is_drawn();
         if !self.is_lesson_alone() {
-            self.sides(ui, width);
+            self.sides(ui, size);
         }
         if !self.document.scene.lesson.is_empty() {
             let (document, desk) = (&self.document, &mut self.desk);
             Panel::top("lesson").show_inside(ui, |ui| heading(ui, document, desk));
             Panel::bottom("steps").show_inside(ui, |ui| self.lesson_controls(ui));
+        } else if size.y >= LOW {
+            Panel::top("headline").show_inside(ui, |ui| self.headline(ui));
         }
         self.viewport(ui);
         if let Some(place) = self.drawer_place() {
@@ -71,42 +83,91 @@ impl App {
         }
     }
 
-    /// Lays out the status line, the panel and the inspector.
-    fn sides(&mut self, ui: &mut Ui, width: f32) {
-        Panel::bottom("status").show_inside(ui, |ui| self.status(ui));
-        let usual = USUAL.min(width / 2.0);
-        let most = if self.desk.has_room { 3.0 } else { 2.0 };
-        // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
-        let id = |name: &str| Id::new((name, usual as u32));
-        let side = |panel: Panel| {
-            let panel = panel.default_size(usual);
-            panel.size_range(LEAST.min(usual)..=width / most)
-        };
-        if !self.desk.panel_folded {
-            let left = side(Panel::left(id("panel")));
-            left.show_inside(ui, |ui| scrolled(ui, "panel", |ui| panel(ui, self)));
-        } else if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
-            self.desk.panel_folded = false;
+    /// Lays out the result, and the panel.
+    fn sides(&mut self, ui: &mut Ui, size: Vec2) {
+        // Room for two rows in a narrow window, so that the picture keeps its size.
+        let rows = [1.0, 2.0][usize::from(size.x < NARROW)];
+        let status = Panel::bottom("status").resizable(false);
+        let status = status.exact_size(rows * ROW + 4.0);
+        status.show_inside(ui, |ui| ui.horizontal_wrapped(|ui| self.status(ui)));
+        if self.desk.panel_folded {
+            if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
+                self.desk.panel_folded = false;
+            }
+            return;
         }
-        if self.desk.has_room {
-            let right = side(Panel::right(id("inspector")));
-            right.show_inside(ui, |ui| inspector(ui, self, false));
-        } else if is_opened(ui, Panel::right("drawer"), "⏴", "Opens the inspector.") {
-            self.desk.tab = self.desk.tab.or(Some(Tab::Pixel));
+        let is_below = size.x < NARROW;
+        let [usual, most] = if is_below {
+            [size.y / 2.0; 2]
+        } else {
+            [USUAL.min(size.x / 2.0), size.x / 2.0]
+        };
+        // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
+        let id = Id::new(("panel", is_below, usual as u32));
+        let side = if is_below {
+            Panel::bottom(id)
+        } else {
+            Panel::left(id)
+        };
+        let side = side.default_size(usual).size_range(LEAST.min(usual)..=most);
+        side.show_inside(ui, |ui| panel(ui, self));
+    }
+
+    /// Lays out the question, or the sentence about what is shown, with room for the longest.
+    fn headline(&self, ui: &mut Ui) {
+        let views = [
+            ViewMode::Wipe,
+            ViewMode::Error,
+            ViewMode::Tiles,
+            ViewMode::Terms,
+        ];
+        let views = views.map(|mode| says(Action::View(mode)));
+        let modes = ShadingMode::ALL.map(|mode| says(Action::Shading(mode)));
+        let all = [QUESTION].into_iter().chain(views).chain(modes);
+        text(ui, self.question(), all, LETTERS);
+    }
+
+    /// The question that the picture raises: where a highlight is that one of two pictures lacks. Else the sentence about what is
+    /// shown.
+    fn question(&self) -> &'static str {
+        let (world, viewer) = (&self.document.scene.world, self.viewer());
+        let is_highlight = |it: &Light| it.on && it.kind == LightKind::Specular;
+        let has_highlight = world.query::<&Light>().iter().any(is_highlight);
+        let is_one = names::<Mesh>(world).len() == 1;
+        match viewer.show {
+            ViewMode::Wipe
+                if viewer.sides == Side::gouraud_phong(viewer.tolerance)
+                    && has_highlight
+                    && is_one
+                    && !has_face_normals(world) =>
+            {
+                QUESTION
+            }
+            ViewMode::Picture => self
+                .method()
+                .map_or(MIXED, |it| says(Action::Shading(it.mode))),
+            mode => says(Action::View(mode)),
         }
     }
 
-    /// The part of the picture that the drawer covers. `None` while there is no drawer.
+    /// The part of the picture that an open heading covers: the half without the explained pixel. `None` unless the panel is folded.
     pub(super) fn drawer_place(&self) -> Option<Rect> {
-        if self.desk.has_room || self.desk.tab.is_none() || self.is_lesson_alone() {
+        if !self.desk.panel_folded || self.desk.tabs.is_empty() || self.is_lesson_alone() {
             return None;
         }
         let picture = self.canvas.place;
-        let usual = (picture.width() / 2.0).clamp(LEAST, USUAL);
-        Some(picture.with_min_x((picture.max.x - usual).max(picture.min.x)))
+        let usual = (picture.width() / 2.0)
+            .clamp(LEAST, USUAL)
+            .min(picture.width());
+        let pixel = self.pixel().map(|it| self.canvas.place_of(it));
+        Some(if pixel.is_some_and(|it| it.x > picture.center().x) {
+            picture.with_max_x(picture.min.x + usual)
+        } else {
+            picture.with_min_x(picture.max.x - usual)
+        })
     }
 
-    /// Lays out the inspector over the picture.
+    /// Lays out the headings over the picture.
     fn drawer(&mut self, ui: &Ui, place: Rect) {
         let ground = Frame::side_top_panel(ui.style());
         let room = (place.size() - ground.total_margin().sum()).max(Vec2::ZERO);
@@ -115,31 +176,74 @@ impl App {
             ground.show(ui, |ui| {
                 ui.set_min_size(room);
                 ui.set_max_size(room);
-                inspector(ui, self, true);
+                headings(ui, self);
             });
         });
     }
 
-    /// The status line: the facts about the picture, or a message.
+    /// The line below the picture: a message, the name of what is shown in its place, or the result.
     fn status(&mut self, ui: &mut Ui) {
-        ui.horizontal(|ui| {
-            if !message(ui, &mut self.desk) {
-                ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                let (method, viewer) = (self.method(), self.viewer());
-                let is_clicked = if let Some(name) = shown_beside(&viewer, method, &self.desk) {
-                    ui.label(name).on_hover_text(METHOD);
-                    false
-                } else {
-                    let time = self.milliseconds().filter(|_| self.desk.shows_times);
-                    facts_line(ui, &self.study, self.is_drawn(), method, time)
-                };
-                drop(viewer);
-                if is_clicked {
-                    self.desk.wish(Action::Worst);
-                }
-            }
-        });
+        if message(ui, &mut self.desk) {
+            return;
+        }
+        let beside = shown_beside(&self.viewer(), self.method(), &self.desk);
+        match beside {
+            Some(name) => drop(ui.label(name).on_hover_text(METHOD)),
+            None if self.result(ui) => self.desk.wish(Action::Worst),
+            None => {}
+        }
     }
+
+    /// Lays out how far the picture, or the side of a wipe that errs more, is off, and whether it is proven to be drawn right.
+    /// Returns whether the error was clicked.
+    fn result(&self, ui: &mut Ui) -> bool {
+        let (shown, study) = (self.method(), &self.study);
+        let worst = self.worst();
+        let side = sides(&self.viewer())[worst.map_or(0, |it| it.0)];
+        let method = side_method(&side, shown);
+        let is_clicked = match worst {
+            Some((_, Some(Worst { error, .. }))) => {
+                let name = method.map_or("The picture".to_owned(), |it| capital(&method_name(it)));
+                let error = short(error);
+                let text = format!("{name} is off by {error} of 255 at its worst pixel.");
+                let link = ui.link(RichText::new(text).color(INK));
+                link.on_hover_text(ERROR).clicked()
+            }
+            Some((_, None)) => ui.label("Nothing is drawn that could err.").clicked(),
+            None => ui.weak("The error is being measured.").clicked(),
+        };
+        // The proof is one of the picture that was drawn.
+        if method == shown {
+            let own = method.map_or("it".to_owned(), |it| capital(it.mode.name()));
+            let proof = study.facts.proof.current().filter(|_| self.is_drawn());
+            let (text, ink) = match proof {
+                Some(it) if it.proven == it.pixels as u64 => {
+                    let text = format!("Every pixel is drawn as {own} should be: proven.");
+                    (text, GOOD)
+                }
+                Some(it) => {
+                    let share = format!("{} of {} pixels", it.proven, it.pixels);
+                    (
+                        format!("{share} are proven to be drawn as {own} should be."),
+                        BAD,
+                    )
+                }
+                // There is no proof if there was too little memory for it.
+                None if study.facts.proof.is_current && self.is_drawn() => {
+                    ("It is not proven.".to_owned(), Color32::GRAY)
+                }
+                None if study.is_live() => ("It is being proven.".to_owned(), Color32::GRAY),
+                None => return is_clicked,
+            };
+            ui.colored_label(ink, text).on_hover_text(about("proven"));
+        }
+        is_clicked
+    }
+}
+
+/// The sentence about an action.
+fn says(action: Action) -> &'static str {
+    binding(action).map_or("", |it| it.1)
 }
 
 /// Lays out the message of the desk until its time is over. Returns whether there is one.
@@ -154,75 +258,17 @@ pub fn message(ui: &mut Ui, desk: &mut Desk) -> bool {
     desk.message.is_some()
 }
 
-/// The name of what is shown in place of the picture: a picture that has its turn, or a wipe.
+/// The name of what is shown in place of the picture: one without a part, or one that has its turn.
 fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<String> {
     if let Some(part) = desk.shown_without() {
         return Some(part.says().to_owned());
     }
-    let is_wipe = viewer.show == ViewMode::Wipe;
-    match desk.turn() {
-        Some(turn) if is_wipe => Some(side_name(&viewer.sides[turn], method)),
-        Some(0) => Some(side_name(&Side::Reference, method)),
-        None if is_wipe => Some("Two pictures; drag the line".to_owned()),
-        _ => None,
+    let turn = desk.turn()?;
+    match (viewer.show, turn) {
+        (ViewMode::Wipe, _) => Some(side_name(&viewer.sides[turn], method)),
+        (_, 0) => Some(side_name(&Side::Reference, method)),
+        _ => Some(side_name(&Side::Picture, method)),
     }
-}
-
-/// The facts about the present picture; `is_drawn` says whether it is the one that was proven. `time` is that of a frame, in milliseconds, where times are shown. Returns whether the error was clicked.
-fn facts_line(
-    ui: &mut Ui,
-    study: &Study,
-    is_drawn: bool,
-    method: Option<Method>,
-    time: Option<f64>,
-) -> bool {
-    let name = side_name(&Side::Picture, method);
-    ui.label(name).on_hover_text(METHOD);
-    let mut fact = |text: String, ink: Color32, says: &str, sense: Sense| {
-        ui.separator();
-        let label = Label::new(RichText::new(text).color(ink)).sense(sense);
-        ui.add(label).on_hover_text(says)
-    };
-    let mut is_clicked = false;
-    if let Some(time) = time {
-        fact(format!("{} ms", short(time)), INK, TIME, Sense::hover());
-    }
-    let Facts {
-        comparison, proof, ..
-    } = &study.facts;
-    if let Some(Some(worst)) = study.facts.worst(&Side::Picture, method) {
-        let text = format!("{} levels off exact Phong", short(worst.error));
-        is_clicked = fact(text, INK, ERROR, Sense::click()).clicked();
-    }
-    if let Some(it) = proof.current().filter(|_| is_drawn) {
-        let pixels = it.pixels as u64;
-        let (share, ink) = match pixels - it.proven {
-            0 => ("every pixel".to_owned(), GOOD),
-            _ => (format!("{} of {pixels} pixels", it.proven), BAD),
-        };
-        let mode = method.map(|shown| Method::of(shown.mode, 0.0));
-        let exact = mode.map_or("its exact mode".to_owned(), method_name);
-        let text = format!("{share} proven within {} of {exact}", it.limit);
-        fact(text, ink, about("proven"), Sense::hover());
-    } else if study.is_live() {
-        // There is no proof if there was too little memory for it.
-        let text = if is_drawn && proof.is_current {
-            "not proven"
-        } else {
-            "being proven"
-        };
-        fact(
-            text.to_owned(),
-            Color32::GRAY,
-            about("proven"),
-            Sense::hover(),
-        );
-    }
-    let is_timed = time.is_none() || study.facts.measured_time(method).is_some();
-    if study.is_live() && !(comparison.is_current && is_timed) {
-        ui.weak("measuring");
-    }
-    is_clicked
 }
 
 /// Lays out the list of keys. Returns whether it stays open.
@@ -233,8 +279,8 @@ fn help(ui: &Ui) -> bool {
         ui.heading("Keys and words");
         ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
         ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
-        ui.weak("The divider of a wipe can be dragged. While the scene is edited (E),");
-        ui.weak("the discs of lights in sight can be dragged, too.");
+        ui.weak("The divider of a wipe can be dragged, and so can the discs of lamps, in");
+        ui.weak("a wipe and while the scene is edited (E).");
         let scroll = ScrollArea::both().max_height(room.y);
         scroll.min_scrolled_height(room.y).show(ui, |ui| {
             let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
@@ -273,7 +319,7 @@ fn key_table(ui: &mut Ui, sections: &[(&str, &[Binding])]) {
     });
 }
 
-/// Lays out a folded side. Returns whether its button was clicked.
+/// Lays out the folded panel. Returns whether its button was clicked.
 fn is_opened(ui: &mut Ui, panel: Panel, arrow: &str, says: &str) -> bool {
     let folded = panel.exact_size(FOLDED).resizable(false);
     let button = folded.show_inside(ui, |ui| ui.button(arrow).on_hover_text(says));

@@ -20,6 +20,7 @@ use super::layout::message;
 use super::pictures::view_at;
 use super::study::shows_exact;
 use super::widgets::{BAD, GOOD, INK, number, offer, short};
+use super::words::about;
 use crate::components::range::{Shininess, Strength};
 use crate::components::{
     Light, Material, Name, Segments, ShadingMode, View, ViewMode, common, ordered, viewer,
@@ -141,7 +142,7 @@ fn answers(ui: &mut Ui, question: &Question, desk: &mut Desk, letters: f32) {
 }
 
 /// Lays out a text, with room for the longest of several.
-fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letters: f32) {
+pub fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letters: f32) {
     let font = FontId::proportional(letters);
     let width = ui.available_width();
     let heights = all.map(|text| {
@@ -159,11 +160,20 @@ fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letter
 }
 
 /// A button with words of its own for an action.
-fn button(ui: &mut Ui, desk: &mut Desk, words: &str, action: Action) {
+pub fn button(ui: &mut Ui, desk: &mut Desk, words: &str, action: Action) {
     let button = Button::new(words).shortcut_text(caption(action));
     if ui.add(button).clicked() {
         desk.wish(action);
     }
+}
+
+/// Lays out the number of segments, between fewer and more.
+pub fn segment_buttons(ui: &mut Ui, world: &World, desk: &mut Desk) {
+    let count = common::<Segments>(world).unwrap_or_default().count();
+    button(ui, desk, "fewer", Action::Segments(-1));
+    ui.label(counted(count, "segment"))
+        .on_hover_text(about("segment"));
+    button(ui, desk, "more", Action::Segments(1));
 }
 
 /// Lays out a control of a step.
@@ -176,12 +186,7 @@ fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, contro
             }
         }
         Control::Normals => offer(ui, desk, Action::FaceNormals, has_face_normals(world)),
-        Control::Segments => {
-            let count = common::<Segments>(world).unwrap_or_default().count();
-            button(ui, desk, "fewer", Action::Segments(-1));
-            ui.label(counted(count, "segment"));
-            button(ui, desk, "more", Action::Segments(1));
-        }
+        Control::Segments => segment_buttons(ui, world, desk),
         Control::Tolerance => {
             button(ui, desk, "finer", Action::Tolerance(-1));
             ui.label(format!("within {}", short(viewer(world).tolerance)));

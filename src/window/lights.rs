@@ -1,4 +1,5 @@
-//! The lights over the picture: discs of those in sight, which can be dragged, and the vectors at the probed pixel.
+//! The lights over the picture: discs of those in sight, which can be dragged, arrows towards the others, and the vectors at the
+//! probed pixel.
 
 use egui::emath::round_to_decimals;
 use egui::{Align, Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
@@ -19,74 +20,123 @@ use crate::systems::frame::display_pixel;
 /// No more discs than this are drawn.
 const MOST: usize = 100;
 const RADIUS: f32 = 7.0;
-/// The length of a unit vector across the view, in points.
+/// The length of a unit vector across the view, in points. A vector that the view shortens to a share of it has the root of that
+/// share.
 const UNIT: f32 = 110.0;
 const NORMAL: Color32 = Color32::from_rgb(0x9a, 0xe6, 0x4b);
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
-/// The disc of a light.
-pub struct Disc {
-    pub name: String,
-    /// Its middle in the window.
+/// How far the middle of an arrow's head is from the edge of the picture, in points, and its length.
+const EDGE: f32 = 12.0;
+const ARROW: f32 = 30.0;
+
+/// The disc of lights at one place, or the arrow towards them.
+pub struct Lamp {
+    pub names: Vec<String>,
+    position: DVec3,
+    /// Its middle in the window; of an arrow the head.
     pub at: Pos2,
+    /// The way of the arrow, of length 1; `None` for a disc.
+    pub way: Option<Vec2>,
     color: Color32,
     is_on: bool,
 }
 
-impl Disc {
-    /// Draws it and its name inside of `area`.
+impl Lamp {
+    /// Draws it and its names inside of `area`.
     fn draw(&self, painter: &egui::Painter, area: Rect) {
         let on = (self.color, (1.5, Color32::from_gray(16)));
         let off = (Color32::from_black_alpha(120), (2.0, self.color));
         let (fill, line) = if self.is_on { on } else { off };
-        painter.circle(self.at, RADIUS, fill, line);
+        let mut at = self.at;
+        if let Some(way) = self.way {
+            at -= ARROW * way;
+            for (width, ink) in [(6.0, Color32::from_gray(40)), (3.0, self.color)] {
+                painter.arrow(at, ARROW * way, (width, ink));
+            }
+        } else {
+            painter.circle(at, RADIUS, fill, line);
+        }
         let (align, side) = if self.at.x > area.center().x {
             (Align2::RIGHT_CENTER, -1.0)
         } else {
             (Align2::LEFT_CENTER, 1.0)
         };
         let ink = [Color32::GRAY, Color32::WHITE][usize::from(self.is_on)];
-        let at = self.at + vec2(side * (RADIUS + 8.0), 0.0);
-        tag(painter, align, at, &self.name, ink);
+        let at = at + vec2(side * (RADIUS + 8.0), 0.0);
+        let lamp = ["lamp", "lamps"][usize::from(self.names.len() > 1)];
+        let text = format!("{lamp}: {}", self.names.join(", "));
+        tag(painter, align, at, &text, ink);
     }
 }
 
-/// Lays out the discs of the lights. A drag moves its light across the view; both a drag and a click select it.
+/// Lays out the lamps. A drag of a disc moves its lights across the view; both a drag and a click select the first.
 pub fn discs(ui: &Ui, world: &mut World, view: &View, canvas: &Canvas, desk: &mut Desk) {
-    for light in lights(world, view, canvas) {
-        let place = Rect::from_center_size(light.at, Vec2::splat(2.0 * RADIUS));
-        let disc = ui.interact(place, ui.id().with(&light.name), Sense::click_and_drag());
-        if disc.dragged() {
-            drag_light(world, view, &light.name, disc.drag_delta() * canvas.scale);
+    for lamp in lamps(world, view, canvas) {
+        if lamp.way.is_none() {
+            let place = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
+            let id = ui.id().with(&lamp.names[0]);
+            let disc = ui.interact(place, id, Sense::click_and_drag());
+            if disc.dragged() {
+                let by = disc.drag_delta() * canvas.scale;
+                for name in &lamp.names {
+                    drag_light(world, view, name, by);
+                }
+            }
+            if disc.clicked() || disc.drag_started() {
+                desk.select::<Light>(world, "light", &lamp.names[0]);
+            }
         }
-        if disc.clicked() || disc.drag_started() {
-            desk.select::<Light>(world, "light", &light.name);
-        }
-        light.draw(ui.painter(), canvas.place);
+        lamp.draw(ui.painter(), canvas.place);
     }
 }
 
-/// The discs of the lights that the picture shows.
-pub fn lights(world: &World, view: &View, canvas: &Canvas) -> Vec<Disc> {
+/// The lamps of a scene: lights at one place are one.
+pub fn lamps(world: &World, view: &View, canvas: &Canvas) -> Vec<Lamp> {
     type Parts<'a> = (&'a Name, &'a Transform, &'a Light);
     let lens = Lens::new(view);
+    let mut lamps: Vec<Lamp> = Vec::new();
     let lights = in_file_order::<Parts, _>(world, |(name, transform, light)| {
-        let at = place_in_sight(transform.position, &lens, canvas)?;
-        (light.kind != LightKind::Ambient).then(|| Disc {
-            name: name.0.clone(),
+        let is_somewhere = light.kind != LightKind::Ambient;
+        is_somewhere.then(|| (name.0.clone(), transform.position, *light))
+    });
+    for (name, position, light) in lights.into_iter().flatten().take(MOST) {
+        if let Some(lamp) = lamps.iter_mut().find(|it| it.position == position) {
+            lamp.is_on |= light.on;
+            lamp.names.push(name);
+            continue;
+        }
+        let (at, way) = place_of(position, &lens, canvas);
+        lamps.push(Lamp {
+            names: vec![name],
+            position,
             at,
+            way,
             color: brightest(light.color),
             is_on: light.on,
-        })
-    });
-    lights.into_iter().flatten().take(MOST).collect()
+        });
+    }
+    lamps
 }
 
-/// The place in the window of a point of the scene, if it is in front of the near plane and within the picture.
-fn place_in_sight(position: DVec3, lens: &Lens, canvas: &Canvas) -> Option<Pos2> {
+/// The place in the window of a point of the scene; of one outside of the picture that of an arrow at its edge, and its way.
+fn place_of(position: DVec3, lens: &Lens, canvas: &Canvas) -> (Pos2, Option<Vec2>) {
     let seen = lens.seen(position);
+    let is_before = seen.z > lens.near;
     let at = canvas.place_at(lens.pixel(lens.homogeneous(seen)));
-    (seen.z > lens.near && canvas.place.contains(at)).then_some(at)
+    if is_before && canvas.place.contains(at) {
+        return (at, None);
+    }
+    let middle = canvas.place.center();
+    let way = if is_before {
+        at - middle
+    } else {
+        vec2(seen.x as f32, -seen.y as f32)
+    };
+    let way = way.normalized();
+    let room = canvas.place.shrink(EDGE).size() / 2.0;
+    let length = (room.x / way.x.abs()).min(room.y / way.y.abs());
+    (middle + way * length, Some(way))
 }
 
 /// Moves a light in sight by pixels of the picture across the view. A position beyond its range is refused.
@@ -131,7 +181,9 @@ pub fn draw_arrows(
         };
         tag(painter, align, row, name, ink);
         row.y += step;
-        let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32) * UNIT;
+        let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32);
+        // The root keeps vectors along the view long enough to be told apart.
+        let way = way * (UNIT / way.length().sqrt().max(1e-3));
         for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
             painter.arrow(at, way, (width, ink));
         }

@@ -1,99 +1,133 @@
-//! The panel on the left: shading, lights, views, camera, scene.
+//! The panel: what is always in sight (modes, lights, why, segments, edges), and the headings of everything else.
 //!
 //! It shows widgets for components of the World, and writes their new values.
 
+use std::path::Path;
+
 use egui::{
-    CollapsingHeader, ComboBox, Grid, PopupCloseBehavior, RichText, ScrollArea, TextEdit,
-    TextWrapMode, Ui,
+    Align, Button, CollapsingHeader, ComboBox, Grid, Label, RichText, ScrollArea, TextEdit,
+    TextWrapMode, Ui, vec2,
 };
 use hecs::{Entity, World};
 
 use super::app::App;
 use super::chart::chart;
 use super::choice::Choice;
-use super::controls::{has_face_normals, set_tolerance};
+use super::controls::{has_face_normals, set_tolerance, shows_picture};
 use super::desk::{Command, Desk};
 use super::document::Document;
-use super::facts::Facts;
-use super::inspector::Tab;
+use super::inspector::{HEADINGS, content};
 use super::keys::{Action, EXACT_SIDES, caption, keys};
+use super::lesson::{button, segment_buttons};
+use super::study::Study;
 use super::varied::common_keys;
-use super::widgets::{
-    action_button, color_button, number, offer, slider, slider_beside, vary_button,
-};
+use super::widgets::{action_button, offer, scrolled, slider, slider_beside, vary_button};
 use super::words::about;
-use crate::components::range::{self, Milliseconds, Strength};
+use crate::components::range::Milliseconds;
 use crate::components::{
-    Camera, Light, LightKind, Name, Projection, Segments, ShadingMode, Side, ViewMode, Viewer,
-    common, names, ordered, overwrite, viewer, viewer_mut,
+    Camera, Light, LightKind, Name, Projection, ShadingMode, Side, ViewMode, Viewer, names,
+    ordered, viewer, viewer_mut,
 };
 use crate::questions::job::camera_name;
-use crate::scene::key::Key;
 use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence, title};
-
-const SEGMENTS: [&str; 3] = [
-    "segments",
-    ", .",
-    "Equal parts of each edge of a face. Gouraud computes light at the corners of the grid that they make; Phong does not depend on them.",
-];
 
 /// The height of the outcome, in points: room for two lines, so that the rows below do not move.
 const OUTCOME: f32 = 34.0;
-/// The room of a light's colour, strength, key and button, in points.
-const OF_LIGHT: f32 = 134.0;
+/// The room of a light's key, in points.
+const OF_LIGHT: f32 = 40.0;
+/// The height of the list of scenes, in points.
+const SCENES: f32 = 200.0;
+/// The height of the list of lights, in points.
+const LIGHTS: f32 = 140.0;
+/// In a lower window, in points, the headings are one row.
+const LOW: f32 = 650.0;
 
 const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. \
                         A number is added if the name is taken.";
 
-/// Lays out all sections.
+/// Lays out what is always in sight, and the headings below.
 pub fn panel(ui: &mut Ui, app: &mut App) {
-    let time = app.milliseconds();
     let App {
         document,
-        study,
         choice,
         desk,
         ..
     } = app;
     let world = &mut document.scene.world;
-    if desk.shows_times {
-        chart(ui, study, choice, world, desk);
-    }
-    section(ui, "Shading", |ui| {
-        shading_rows(ui, world, choice, &study.facts, time, desk);
-    });
-    section(ui, "Lights", |ui| light_rows(ui, world, desk));
-    section(ui, "View", |ui| view_rows(ui, &viewer(world), desk));
-    section(ui, "Camera", |ui| camera_rows(ui, world, desk));
-    section(ui, "Scene", |ui| scene_rows(ui, document, desk));
-}
-
-/// The mode, and either the tolerance or the budget. `time` is that of a frame on screen, in milliseconds.
-fn shading_rows(
-    ui: &mut Ui,
-    world: &mut World,
-    choice: &Choice,
-    facts: &Facts,
-    time: Option<f64>,
-    desk: &mut Desk,
-) {
     let shading = choice.method(world).map(|method| method.mode);
+    let shading = shading.filter(|_| shows_picture(&viewer(world)));
+    ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
         for mode in ShadingMode::ALL {
             offer(ui, desk, Action::Shading(mode), shading == Some(mode));
         }
+    });
+    light_rows(ui, world);
+    ui.horizontal_wrapped(|ui| {
+        button(ui, desk, "Why?", Action::Worst);
+        segment_buttons(ui, world, desk);
+    });
+    ui.horizontal_wrapped(|ui| {
         offer(ui, desk, Action::FaceNormals, has_face_normals(world));
+        offer(ui, desk, Action::Help, desk.help);
     });
-    let count = common::<Segments>(world).map_or(1.0, |it| it.count() as f64);
-    let mut changed = count;
-    let segments = range::of_key("segments");
-    slider_beside(ui, SEGMENTS, &mut changed, segments, 1.0, |ui| {
-        vary_common(ui, world, "segments", desk);
+    ui.separator();
+    headings(ui, app);
+}
+
+/// Lays out the headings, each with its content if it is open. In a low window they are one row of their keys.
+pub fn headings(ui: &mut Ui, app: &mut App) {
+    let is_low = ui.ctx().content_rect().height() < LOW;
+    if is_low {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.spacing_mut().button_padding.x = 3.0;
+            for (tab, name, keys, says) in HEADINGS {
+                let words = keys.split(' ').next().filter(|it| !it.is_empty());
+                let words = words.unwrap_or(name);
+                let heading = Button::selectable(app.desk.is_open(tab), words);
+                let heading = ui.add(heading).on_hover_text(format!("{name}. {says}"));
+                if heading.clicked() {
+                    app.desk.switch(tab);
+                }
+            }
+        });
+    }
+    scrolled(ui, "headings", |ui| {
+        for (tab, name, keys, says) in HEADINGS {
+            let is_open = app.desk.is_open(tab);
+            if !is_low {
+                let arrow = ["⏵", "⏷"][usize::from(is_open)];
+                let heading = Button::selectable(is_open, name);
+                let heading = heading.shortcut_text(format!("{keys} {arrow}"));
+                let heading = heading.min_size(vec2(ui.available_width(), 0.0));
+                let heading = ui.add(heading).on_hover_text(says);
+                if heading.clicked() {
+                    app.desk.switch(tab);
+                }
+                if app.desk.revealed.take_if(|it| *it == tab).is_some() {
+                    heading.scroll_to_me(Some(Align::TOP));
+                }
+            }
+            if is_open {
+                ui.push_id(tab, |ui| content(ui, app, tab));
+                ui.separator();
+            }
+        }
     });
-    if changed != count
-        && let Some(segments) = Segments::new(changed.round() as u32)
-    {
-        overwrite(world, &segments);
+}
+
+/// The chart, and either the tolerance or the budget. `time` is that of a frame on screen, in milliseconds.
+pub fn time_rows(
+    ui: &mut Ui,
+    world: &mut World,
+    choice: &Choice,
+    study: &Study,
+    time: Option<f64>,
+    desk: &mut Desk,
+) {
+    if desk.shows_times {
+        chart(ui, study, choice, world);
     }
     let Viewer {
         budget, tolerance, ..
@@ -126,7 +160,7 @@ fn shading_rows(
     }
     ui.scope(|ui| {
         ui.set_min_height(OUTCOME);
-        ui.label(choice.outcome(facts, time, budget));
+        ui.label(choice.outcome(&study.facts, time, budget));
     });
 }
 
@@ -140,29 +174,29 @@ fn vary_common(ui: &mut Ui, world: &World, name: &str, desk: &mut Desk) {
 }
 
 /// A row for each light.
-pub fn light_rows(ui: &mut Ui, world: &World, desk: &mut Desk) {
+pub fn light_rows(ui: &mut Ui, world: &World) {
     let lights = ordered::<Light>(world);
     if lights.is_empty() {
         ui.weak("The scene has no lights.");
     }
     let rows = |ui: &mut Ui, places: std::ops::Range<usize>| {
-        // Long names are cut, so that colour, strength and key keep their room.
+        // Long names are cut, so that keys keep their room.
         let name = ui.available_width() - OF_LIGHT;
-        let grid = Grid::new("lights").num_columns(5).min_col_width(0.0);
+        let grid = Grid::new("lights").num_columns(2).min_col_width(0.0);
         grid.max_col_width(name).show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
             for place in places {
-                light_row(ui, world, lights[place], place, desk);
+                light_row(ui, world, lights[place], place);
                 ui.end_row();
             }
         });
     };
     let height = ui.spacing().interact_size.y;
-    let scroll = ScrollArea::vertical().id_salt("lights").max_height(260.0);
+    let scroll = ScrollArea::vertical().id_salt("lights").max_height(LIGHTS);
     scroll.show_rows(ui, height, lights.len(), rows);
 }
 
-fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize, desk: &mut Desk) {
+fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
     let mut query = world.query_one::<(&Name, &mut Light)>(entity);
     let Ok((name, light)) = query.get() else {
         return;
@@ -176,17 +210,11 @@ fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize, desk: &mu
     let is_named = |it: &Action| matches!(it, Action::LightNamed(own) if *own == name.0);
     let named = keys().map(|key| key.2).find(is_named);
     ui.weak(caption(named.unwrap_or(Action::Light(place))));
-    color_button(ui, &mut light.color);
-    let says = "Intensity of the light, 0 to 1e30: a factor of its term.";
-    number(ui, &mut light.intensity, Strength::RANGE).on_hover_text(says);
-    if vary_button(ui) {
-        let key = Key::from("light").child(&name.0).child("intensity");
-        desk.commands.push(Command::Vary(key));
-    }
 }
 
-/// The ways to show the picture.
-fn view_rows(ui: &mut Ui, viewer: &Viewer, desk: &mut Desk) {
+/// The ways to show the picture, and the files of it.
+pub fn picture_rows(ui: &mut Ui, world: &World, desk: &mut Desk) {
+    let viewer = viewer(world);
     // Sides that the tags chose belong to none of the buttons.
     let shown = match viewer.show {
         ViewMode::Wipe if viewer.sides == EXACT_SIDES => Some(Action::WipeExact),
@@ -209,11 +237,14 @@ fn view_rows(ui: &mut Ui, viewer: &Viewer, desk: &mut Desk) {
         if is_held || ui.input(|input| input.pointer.any_released()) {
             desk.blink_while(is_held);
         }
+        for action in [Action::SavePicture, Action::Screenshot, Action::Panel] {
+            offer(ui, desk, action, false);
+        }
     });
 }
 
 /// The active camera and its projection.
-fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
+pub fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
     let cameras = names::<Camera>(world);
     let mut active = camera_name(world);
     ui.horizontal(|ui| {
@@ -248,56 +279,67 @@ fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
     });
 }
 
-/// The list of scenes, and the scene's file.
-fn scene_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
-    let scenes = ComboBox::from_id_salt("scene").selected_text(document.scene.name.clone());
-    let scenes = scenes.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let scenes = scenes.width(ui.available_width() - 8.0).height(400.0);
-    let chosen = scenes.show_ui(ui, |ui| scene_list(ui, &document.scene.name));
-    match chosen.inner.flatten().map(|name| Scene::load(Some(name))) {
-        Some(Ok(scene)) => desk.commands.push(Command::Open(Box::new(scene))),
-        Some(Err(error)) => desk.say(error.to_string()),
-        None => {}
+/// The lessons in their order, by their titles.
+pub fn lesson_rows(ui: &mut Ui, open: &str, desk: &mut Desk) {
+    for (name, text) in LESSONS {
+        let row = ui.selectable_label(open == name, title(name));
+        if row.on_hover_text(first_sentence(text)).clicked() {
+            open_scene(name, desk);
+        }
+    }
+}
+
+/// Opens a built-in scene.
+fn open_scene(name: &str, desk: &mut Desk) {
+    match Scene::load(Some(name)) {
+        Ok(scene) => desk.commands.push(Command::Open(Box::new(scene))),
+        Err(error) => desk.say(error.to_string()),
+    }
+}
+
+/// The list of scenes, undo, and the scene's file.
+pub fn file_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
+    let scenes = CollapsingHeader::new("other scenes");
+    let chosen = scenes.show_unindented(ui, |ui| {
+        let scroll = ScrollArea::vertical().id_salt("scenes").max_height(SCENES);
+        scroll
+            .show(ui, |ui| scene_list(ui, &document.scene.name))
+            .inner
+    });
+    if let Some(name) = chosen.body_returned.flatten() {
+        open_scene(name, desk);
     }
     ui.horizontal_wrapped(|ui| {
-        for action in [
-            Action::Tab(Tab::Scene),
-            Action::Undo,
-            Action::Redo,
-            Action::Save,
-            Action::Help,
-        ] {
+        for action in [Action::Undo, Action::Redo, Action::Save] {
             offer(ui, desk, action, false);
         }
     });
+    path_row(ui, &document.target(false));
     ui.horizontal(|ui| {
         offer(ui, desk, Action::SaveAs, false);
         let field = ui.text_edit_singleline(&mut document.file.new_name);
         field.on_hover_text(NEW_NAME);
     });
+    path_row(ui, &document.target(true));
 }
 
-/// Lays out the built-in scenes, lessons and extremes whose name or sentence has the typed words. Returns the chosen name.
+/// The file that a button above writes.
+fn path_row(ui: &mut Ui, path: &Path) {
+    let text = RichText::new(format!("writes {}", path.display())).weak();
+    ui.add(Label::new(text).truncate());
+}
+
+/// Lays out the built-in scenes and extremes whose name or sentence has the typed words. Returns the chosen name.
 fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
     let id = ui.id().with("search");
     let mut words: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     ui.add(TextEdit::singleline(&mut words).hint_text("search"));
     let mut chosen = None;
-    for (group, scenes) in [
-        ("lessons", &LESSONS[..]),
-        ("scenes", &BUILT_IN[..]),
-        ("extremes", EXTREMES),
-    ] {
+    for (group, scenes) in [("scenes", &BUILT_IN[..]), ("extremes", EXTREMES)] {
         ui.strong(group);
         for (name, text) in scenes {
             let says = first_sentence(text);
-            let is_lesson = group == "lessons";
-            let shown = if is_lesson {
-                title(name)
-            } else {
-                (*name).to_owned()
-            };
-            let lower = format!("{name} {shown} {says}").to_lowercase();
+            let lower = format!("{name} {says}").to_lowercase();
             if words
                 .split_whitespace()
                 .any(|word| !lower.contains(&word.to_lowercase()))
@@ -305,11 +347,10 @@ fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
                 continue;
             }
             let row = ui
-                .selectable_label(open == *name, shown)
+                .selectable_label(open == *name, *name)
                 .on_hover_text(says);
             if row.clicked() {
                 chosen = Some(*name);
-                ui.close();
             }
         }
     }
@@ -318,10 +359,4 @@ fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
     }
     ui.data_mut(|data| data.insert_temp(id, words));
     chosen
-}
-
-/// A section of the panel that can be folded.
-fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
-    let header = CollapsingHeader::new(RichText::new(title).strong()).default_open(true);
-    header.show_unindented(ui, rows);
 }

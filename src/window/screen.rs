@@ -25,6 +25,8 @@ pub struct Screen {
     pub depth: u8,
     /// Pixels in a point of egui.
     pub scale: f32,
+    /// Width and height in pixels.
+    pub size: [usize; 2],
 }
 
 /// Asks the X server that `DISPLAY` names. minifb crashes on a screen whose depth it does not know, and does not tell the
@@ -36,10 +38,12 @@ pub fn x_screen() -> Option<Screen> {
     let asked = connection.get_property(false, screen.root, table, text, 0, MOST);
     let resources = asked.ok()?.reply().ok()?.value;
     let depth = screen.root_depth;
+    let size = [screen.width_in_pixels, screen.height_in_pixels].map(usize::from);
     Some(Screen {
         _connection: connection,
         depth,
         scale: scale(&String::from_utf8_lossy(&resources)),
+        size,
     })
 }
 

@@ -163,8 +163,7 @@ impl Study {
         let viewer = &subject.record.view;
         let level = subject.workers.level();
         let is_live = self.is_live();
-        let shows_exact =
-            desk.blinks.is_some() || desk.awaits_worst.is_some() || shows_exact(viewer);
+        let shows_exact = desk.blinks.is_some() || desk.awaits_worst || shows_exact(viewer);
         if let Some(pixel) = subject.pixel {
             let viewer = viewer.clone();
             self.find(
@@ -206,13 +205,13 @@ impl Study {
                 },
             );
         }
-        if desk.tab == Some(Tab::Vary) {
+        if desk.is_open(Tab::Vary) {
             self.vary(subject, desk);
         }
         if is_live && desk.shows_times {
             self.measure(subject, Question::Measure);
         }
-        if is_live || desk.tab == Some(Tab::Proof) {
+        if is_live || desk.is_open(Tab::Proof) {
             self.find(
                 subject,
                 Question::Prove,
@@ -222,7 +221,7 @@ impl Study {
                 },
             );
         }
-        if desk.tab == Some(Tab::Required) {
+        if desk.is_open(Tab::Required) {
             let found = self.facts.required.current().cloned().unwrap_or_default();
             if !found.is_all {
                 self.find(

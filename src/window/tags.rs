@@ -1,16 +1,15 @@
-//! The two sides of a wipe: tags that choose the method of each and show its price.
+//! The two sides of a wipe: tags that choose the method of each.
 
-use egui::{Align, Color32, ComboBox, Frame, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder};
+use egui::{Align, Color32, ComboBox, Frame, Layout, Rect, TextWrapMode, Ui, UiBuilder};
 use hecs::World;
 
-use super::desk::{Command, Desk};
+use super::desk::Desk;
 use super::facts::Facts;
 use super::pictures::side_method;
-use super::widgets::{INK, short};
+use super::widgets::INK;
 use super::words::about;
 use crate::components::{ShadingMode, Side, viewer, viewer_mut};
 use crate::output::words::capital;
-use crate::questions::trade::is_timed;
 use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, Method};
 
@@ -69,7 +68,7 @@ pub fn tags(
     place: Rect,
     facts: &Facts,
     shown: Option<Method>,
-    desk: &mut Desk,
+    desk: &Desk,
 ) {
     let mut sides = viewer(world).sides;
     let area = place.shrink(GAP);
@@ -95,44 +94,27 @@ pub fn tags(
                     row.on_hover_text(side_says(&side));
                 }
             });
-            if price_rows(ui, facts, &sides[index], shown, desk.shows_times) {
-                desk.commands.push(Command::Worst(index));
-            }
+            side_rows(ui, facts, &sides[index], shown);
         });
     }
     viewer_mut(world).sides = sides;
 }
 
-/// Lays out what is known of the price of a side; `is_measured` if its time is. Returns whether its worst pixel was clicked.
-fn price_rows(
-    ui: &mut Ui,
-    facts: &Facts,
-    side: &Side,
-    shown: Option<Method>,
-    is_measured: bool,
-) -> bool {
-    let Some(method) = side_method(side, shown) else {
-        return false;
-    };
-    let price = facts.measured(method);
-    match price {
-        Some(price) if is_timed(method) => {
-            ui.colored_label(INK, format!("{} ms a frame", short(price.timing.median)));
-        }
-        None if is_measured => {
-            ui.weak("measuring");
-        }
-        _ => {}
-    }
-    if let Some(kept) = price.and_then(|it| it.highlight_kept) {
+/// Lays out where a side computes light, and how much of the highlight it keeps.
+fn side_rows(ui: &mut Ui, facts: &Facts, side: &Side, shown: Option<Method>) {
+    let method = side_method(side, shown);
+    ui.colored_label(
+        INK,
+        match method.map(|it| it.mode) {
+            Some(ShadingMode::Gouraud) => "light at the vertices",
+            Some(ShadingMode::Flat) => "light once a face",
+            _ => "light at every pixel",
+        },
+    );
+    let measured = method.and_then(|method| facts.measured(method));
+    if let Some(kept) = measured.and_then(|it| it.highlight_kept) {
         let text = format!("highlight kept {:.0} %", 100.0 * kept);
         ui.colored_label(INK, text)
             .on_hover_text(about("highlight kept"));
     }
-    let Some(Some(worst)) = facts.worst(side, shown) else {
-        return false;
-    };
-    let text = format!("worst pixel {} of 255", short(worst.error));
-    let link = ui.link(RichText::new(text).color(INK));
-    link.on_hover_text("Shows why it errs.").clicked()
 }

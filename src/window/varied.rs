@@ -53,12 +53,12 @@ impl Varied {
 }
 
 impl Desk {
-    /// Opens the tab for a number of a scene.
+    /// Shows a number of a scene against the error.
     pub fn vary(&mut self, key: Key, record: &SceneRecord) {
         match Variable::around(key, record) {
             Ok(variable) => {
                 self.varied = Some(Varied::of(variable));
-                self.tab = Some(Tab::Vary);
+                self.open(Tab::Vary);
             }
             Err(error) => self.say(format!("{error:#}")),
         }

@@ -19,6 +19,7 @@ use super::lights::{discs, draw_arrows};
 use super::pictures::TINTS;
 use super::tags::tags;
 use super::unsaved::edits_bar;
+use super::vertices::{mark_triangle, mark_vertices};
 use super::widgets::{BAD, tag, wait};
 use crate::components::{
     FileOrder, Lens, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
@@ -73,8 +74,9 @@ impl App {
             }
         }
         let view = choice.view(world, canvas);
+        let edits = desk.is_open(Tab::Scene);
         // A disc over a tag can be dragged.
-        if desk.tab == Some(Tab::Scene) {
+        if !is_alone && (edits || viewer(world).show == ViewMode::Wipe) {
             discs(ui, world, &view, canvas, desk);
         }
         // Its quarters have other pixels.
@@ -113,13 +115,14 @@ impl App {
         }
     }
 
-    /// Draws the names of the terms, and the outline of the selected cuboid.
+    /// Draws the vertices, the names of the terms, and the outline of the selected cuboid.
     fn draw_subjects(&self, ui: &Ui) {
         let (world, canvas) = (&self.document.scene.world, &self.canvas);
         let view = self.choice.view(world, canvas);
+        mark_vertices(ui.painter(), world, &view, canvas, self.method());
         if viewer(world).show == ViewMode::Terms {
             draw_terms(ui.painter(), canvas.place);
-        } else if self.desk.tab == Some(Tab::Scene)
+        } else if self.desk.is_open(Tab::Scene)
             && let ("cuboid", place) = self.desk.selected.unwrap_or(("cuboid", 0))
         {
             outline(ui, world, &view, canvas, place);
@@ -151,6 +154,8 @@ impl App {
                 };
                 let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::LEFT_TOP];
                 let corner = corners.into_iter().find(is_free).unwrap_or(corners[2]);
+                let view = self.choice.view(world, canvas);
+                mark_triangle(ui.painter(), surface, &view, canvas);
                 draw_arrows(ui.painter(), at, surface, world, canvas, corner);
             }
             draw_cross(ui.painter(), at);

@@ -125,7 +125,7 @@ fn keep_digits(value: &mut f64, before: f64) {
 }
 
 /// The sentence about buttons that vary a number.
-pub const VARY: &str = "Shows the errors over the range of this number (tab Vary).";
+pub const VARY: &str = "Shows the errors over the range of this number (\"Try a range\").";
 
 /// A button whose click shows a number against the error. Returns whether it was clicked.
 pub fn vary_button(ui: &mut Ui) -> bool {

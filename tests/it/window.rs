@@ -4,6 +4,7 @@ mod clicks;
 mod controls;
 mod facts;
 mod files;
+mod first;
 mod history;
 mod keys;
 mod lesson;

@@ -14,6 +14,15 @@ use shadetrade::window::inspector::Tab;
 
 /// The initial size of the window, in pixels.
 const SIZE: [usize; 2] = [960, 720];
+/// A window of that size with the picture alone.
+pub(super) const PLAIN: &[&str] = &[
+    "--size",
+    "960x720",
+    "--set",
+    "view.show=picture",
+    "--set",
+    "view.divider=0.5",
+];
 
 /// The centre of the widget with this label.
 fn place(label: &str) -> Point {
@@ -40,7 +49,7 @@ const CUBOID: Point = [620, 350];
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn keys_change_the_picture_and_restore_it() {
-    let program = Program::open(&[], &[]);
+    let program = Program::open(PLAIN, &[]);
     let start = program.picture();
     assert_eq!(start.dimensions(), (960, 720));
     assert_eq!(program.title(), "cuboid - shadetrade");
@@ -80,7 +89,7 @@ fn keys_change_the_picture_and_restore_it() {
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn clicks_drags_and_the_wheel_have_their_effects() {
-    let program = Program::open(&[], &[]);
+    let program = Program::open(PLAIN, &[]);
     let start = picture(&program.picture());
     let seen = || picture(&program.picture());
     for label in ["red", "Phong"] {
@@ -122,7 +131,7 @@ fn place_of_divider() -> i32 {
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn no_tap_of_a_key_is_lost() {
-    let program = Program::open(&[], &[]);
+    let program = Program::open(PLAIN, &[]);
     let start = picture(&program.picture());
     let seen = || picture(&program.picture());
     // An odd number of taps, so that a lost one shows. Events come in order: the help opens after all taps.
@@ -140,7 +149,7 @@ fn no_tap_of_a_key_is_lost() {
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
 fn quitting_and_closing_the_frame_keep_edits() {
     for way in ["q", "alt+F4", "signal"] {
-        let mut program = Program::open(&[], &[]);
+        let mut program = Program::open(PLAIN, &[]);
         let folder = program.folder.path().to_path_buf();
         program.start_window_manager();
         edit(&program);
@@ -169,7 +178,7 @@ pub(super) fn edit(program: &Program) {
     program.press("e");
     until("the editor", || picture(&program.picture()) != start);
     let mut app = app(default_scene(), SIZE, Level::new());
-    app.desk.tab = Some(Tab::Scene);
+    app.desk.open(Tab::Scene);
     let harness = widgets(app, SIZE);
     let copy = *places(&harness, "copy").last().expect("a button");
     program.click([copy.x as i32, copy.y as i32]);
@@ -211,7 +220,7 @@ fn letters_have_the_size_of_the_screen_and_of_the_user_s_choice() {
     let open = |folder, dpi| {
         let display = Display::start(24);
         display.set_dpi(dpi);
-        Program::open_on(display, folder, &[], &[])
+        Program::open_on(display, folder, PLAIN, &[])
     };
     let mut program = open(tempfile::tempdir().expect("a folder"), 96);
     let is_light = |pixel: &&image::Rgb<u8>| pixel.0.iter().all(|it| *it > 150);

@@ -10,7 +10,7 @@ use shadetrade::components::{Mesh, names};
 use shadetrade::scene::Scene;
 
 use super::desktop::{Program, until};
-use super::display::{UNSAVED, edit, picture};
+use super::display::{PLAIN, UNSAVED, edit, picture};
 use super::signal;
 
 /// Asserts that every screenshot in `folder` is complete and every other file hidden; returns the number of
@@ -63,7 +63,7 @@ const ENDS: [(&str, End, Option<i32>); 6] = [
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn however_the_program_ends_edits_are_on_disk() {
     for (name, end, code) in ENDS {
-        let mut program = Program::open(&[], &[]);
+        let mut program = Program::open(PLAIN, &[]);
         let file = program.folder.path().join(UNSAVED);
         edit(&program);
         until("the edits are on disk", || file.exists());
@@ -94,7 +94,7 @@ fn however_the_program_ends_its_files_are_complete() {
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_key_held_when_the_focus_leaves_is_released() {
-    let program = Program::open(&[], &[]);
+    let program = Program::open(PLAIN, &[]);
     let start = program.picture();
     program.xdotool(&["keydown", "Left"]);
     until("the picture moves", || program.picture() != start);
@@ -120,7 +120,7 @@ fn a_key_held_when_the_focus_leaves_is_released() {
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_storm_of_keys_and_sizes_leaves_a_responding_window() {
-    let program = Program::open(&[], &[]);
+    let program = Program::open(PLAIN, &[]);
     let start = program.picture();
     // Every key is pressed an even number of times or undone by Home. I is not used: it folds different parts of a narrow
     // and of a wide window.

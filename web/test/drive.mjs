@@ -92,17 +92,20 @@ async function drop(page, name, text) {
   await page.dispatchEvent("#canvas", "drop", { dataTransfer: data });
 }
 
-/// Drags the numbers of the panel until one of them is an edit.
+/// Drags the numbers under the heading of the scene until one of them is an edit.
 async function edit(page) {
-  for (let y = 300; y < 640; y += 11) {
-    await page.mouse.move(146, y);
+  await page.keyboard.press("e");
+  await quiet(page, 300);
+  for (let y = 500; y < 740; y += 11) {
+    await page.mouse.move(98, y);
     await page.mouse.down();
-    await page.mouse.move(160, y, { steps: 3 });
+    await page.mouse.move(112, y, { steps: 3 });
     await page.mouse.up();
     await quiet(page, 100);
     if (!(await page.title()).includes("*")) continue;
-    // The tooltip of the number lies over the picture.
+    // Neither the tooltip of the number nor the outline of the cuboid stays on the picture.
     await page.mouse.move(5, 5);
+    await page.keyboard.press("e");
     return quiet(page, 500);
   }
   assert.fail("no number was found that can be dragged");
@@ -166,7 +169,8 @@ const checks = {
     await quiet(page, 300);
     const before = await shown(page);
     const { picture: [corner, size] } = await outcome(page);
-    const [x, y] = [corner.x + size[0] / 2, corner.y + size[1] / 2];
+    const divider = /^divider = ([0-9.]+)/m.exec(readFileSync(new URL("../../assets/scenes/cuboid.toml", import.meta.url), "utf8"))[1];
+    const [x, y] = [corner.x + size[0] * divider, corner.y + size[1] * 0.9];
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x - 150, y, { steps: 5 });
@@ -268,8 +272,10 @@ const checks = {
     await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
     const clipboard = () => page.evaluate(() => navigator.clipboard.readText());
     let copied = "";
-    for (let y = 300; y < 640 && !copied; y += 11) {
-      await page.mouse.click(146, y);
+    await page.keyboard.press("e");
+    await quiet(page, 300);
+    for (let y = 500; y < 740 && !copied; y += 11) {
+      await page.mouse.click(98, y);
       await quiet(page, 100);
       await page.keyboard.press("Control+a");
       await page.keyboard.press("Control+c");

@@ -11,6 +11,8 @@ use crate::shading::SquareKind;
 const AGREE: f64 = 1.0;
 /// A vertex lies outside a highlight if its factor is less than this share of the pixel's.
 const OUTSIDE: f64 = 0.1;
+/// Less than this of a specular light is no highlight.
+const DARK: f64 = 1e-3;
 
 impl ProbedSurface {
     /// The channel in which a shortcut and exact Phong differ most, and their difference in displayed levels. The
@@ -28,6 +30,38 @@ impl ProbedSurface {
         errors
             .into_iter()
             .max_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The light whose term interpolation misses most in a channel; `None` if no diffuse or specular light is on.
+    fn missed(&self, channel: usize) -> Option<&LightSample> {
+        let difference =
+            |light: &LightSample| (light.gouraud[channel] - light.phong[channel]).abs();
+        let lights = self.lights().iter();
+        let lights = lights.filter(|light| light.kind != LightKind::Ambient);
+        lights.max_by(|one, other| difference(one).total_cmp(&difference(other)))
+    }
+
+    /// The factors at the vertices of which [`Self::cause`] speaks.
+    pub fn vertex_factors(&self) -> Option<[f64; 3]> {
+        let is_of_vertices = matches!(self.mode, ShadingMode::Gouraud | ShadingMode::Phong);
+        let (channel, _) = self.error().filter(|_| is_of_vertices)?;
+        Some(self.missed(channel)?.vertex_factors)
+    }
+
+    /// Why a face with one normal has no highlight, if it has none.
+    fn dull(&self) -> Option<String> {
+        let sample = self.sample.as_ref()?;
+        let [one, others @ ..] = self.vertices.map(|[_, normal]| normal);
+        let is_dull = |it: &&LightSample| it.kind == LightKind::Specular && it.factor < DARK;
+        let light = sample.lights.iter().find(is_dull)?;
+        let toward = light.reflected?.dot(sample.to_eye);
+        others.iter().all(|it| *it == one).then(|| {
+            let name = &light.name;
+            format!(
+                "Sharp edges: the whole face has one normal, and mirrors light {name} past the eye (o.r is {toward:.2} here). \
+                 So it has no highlight."
+            )
+        })
     }
 
     /// The cause of that difference, and its evidence.
@@ -63,11 +97,7 @@ impl ProbedSurface {
                 format!("{shorter}, so n.l and o.r are no cosines."),
             ]);
         }
-        let difference =
-            |light: &LightSample| (light.gouraud[channel] - light.phong[channel]).abs();
-        let directed = (sample.lights.iter()).filter(|light| light.kind != LightKind::Ambient);
-        let most = directed.max_by(|one, other| difference(one).total_cmp(&difference(other)));
-        let Some(light) = most else {
+        let Some(light) = self.missed(channel) else {
             let cause = "No diffuse or specular light is on: Gouraud and Phong agree.";
             return Some([cause.to_owned(), String::new()]);
         };
@@ -87,7 +117,7 @@ impl ProbedSurface {
                 "Both are beyond the levels of the display"
             };
             let agreement = format!("{cause}: Gouraud and Phong agree within {}.", level(error));
-            return Some([agreement, evidence]);
+            return Some([agreement, self.dull().unwrap_or(evidence)]);
         }
         let is_less = light.gouraud[channel] < light.phong[channel];
         let is_specular = light.kind == LightKind::Specular;

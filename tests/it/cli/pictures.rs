@@ -1,6 +1,7 @@
 //! The output of `render`, `figures`, and `view` without a display.
 
 use super::{SCENE, assert_works, decode, folder, get, listing, put, run, said};
+use crate::support::scene::text_without_view;
 
 const FIGURES: [&str; 8] = [
     "components.png",
@@ -26,7 +27,7 @@ fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
         put(
             folder.path(),
             "a.toml",
-            format!("{SCENE}\n[view]\n{view}\n"),
+            format!("{}\n[view]\n{view}\n", text_without_view()),
         );
         folder.path().join("a.toml").display().to_string()
     };
@@ -50,7 +51,7 @@ fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
 #[test]
 fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
     let folder = folder();
-    let held = format!("{SCENE}\n[view]\nbudget = 10000\n");
+    let held = format!("{}\n[view]\nbudget = 10000\n", text_without_view());
     put(folder.path(), "held.toml", held);
     let draw_at = |size: &str, words: &str| {
         let line = format!("render {words} --size {size} -o a.png");

@@ -4,7 +4,8 @@ use serde_json::json;
 use shadetrade::components::{Camera, Mesh, names, viewer};
 use shadetrade::scene::Scene;
 
-use super::{SCENE, cube, decode, folder, get, json, keys, listing, put, run, said};
+use super::{cube, decode, folder, get, json, keys, listing, put, run, said};
+use crate::support::scene::text_without_view;
 
 #[test]
 fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {
@@ -63,7 +64,10 @@ fn the_table_has_its_rows_in_order_and_the_least_scene_draws_the_same_picture() 
     };
     let faint = ambient("faint", 1.0) + &ambient("dim", 1.2);
     let hidden = cube("hidden \\u001b\\n", [0.0; 3]);
-    let full = format!("{SCENE}\n{faint}\n{hidden}\n[view]\nbudget = 0.001");
+    let full = format!(
+        "{}\n{faint}\n{hidden}\n[view]\nbudget = 0.001",
+        text_without_view()
+    );
     put(folder, "full.toml", full);
     let view = "full.toml --camera 2 --lights white,ambient,faint,dim --size 24x18";
     let output = run(folder, &format!("requires {view} -o least.toml"));

@@ -8,6 +8,7 @@ use super::{LEAST, MOST, random};
 use crate::support::cases::config;
 use crate::support::random::Random;
 use crate::support::records;
+use crate::support::scene::text_without_view;
 
 fn read(text: &str) -> SceneRecord {
     let scene = Scene::parse("text", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
@@ -227,7 +228,7 @@ fn explicit_defaults_stay_and_implicit_ones_are_not_added() {
 #[test]
 fn a_view_is_added_only_if_it_differs_from_the_default() {
     type Change = fn(&mut SceneRecord);
-    let (_, text) = BUILT_IN[0];
+    let text = &text_without_view();
     let orthographic: Change = |record| record.view.projection = Projection::Orthographic;
     let second: Change = |record| record.view.camera = Some("2".to_owned());
     let several: Change = |record| {

@@ -129,3 +129,11 @@ pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
 pub fn truth(world: &World, view: &View) -> Truth {
     finished(picture(world, view, 0..view.size[1], Monitor::NONE)).expect("it is not cancelled")
 }
+
+/// The text of the built-in scene, without its view.
+pub fn text_without_view() -> String {
+    let text = shadetrade::scene::BUILT_IN[0].1;
+    let (head, view) = text.split_once("[view]").expect("it has a view");
+    let (_, rest) = view.split_once("\n[[cuboid]]").expect("it has a cuboid");
+    format!("{head}\n[[cuboid]]{rest}")
+}

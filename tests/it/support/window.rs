@@ -1,17 +1,28 @@
 //! The window without a display, and the positions of its widgets by label.
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
 use egui::{Pos2, UiBuilder};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
+use shadetrade::components::{Viewer, viewer_mut};
 use shadetrade::questions::job::Drawing;
-use shadetrade::scene::Scene;
+use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::{app::App, study::Background, widgets};
 
-/// The built-in default scene.
-pub fn default_scene() -> Scene {
+/// The built-in scene as it opens.
+pub fn first_scene() -> Scene {
     Scene::load(None).expect("the built-in scene is valid")
+}
+
+/// The built-in scene, without a view of its own: its picture is shown.
+pub fn default_scene() -> Scene {
+    let mut scene = first_scene();
+    *viewer_mut(&mut scene.world) = Viewer::default();
+    scene.record = Arc::new(SceneRecord::of(&scene.world));
+    scene
 }
 
 /// A window on `scene`. Its questions about the picture are answered at once.

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Node;
-use egui_kittest::kittest::{By, Queryable};
+use egui_kittest::kittest::Queryable;
 use shadetrade::scene::{Scene, SceneRecord};
 
 use super::{PAUSE, SIZE, Window};
@@ -94,18 +94,29 @@ fn a_click_within_one_step_does_what_a_slow_one_does() {
             let quick = after(&mut quick, keys, at, tap);
             assert_eq!((slow.0, slow.2), (quick.0, quick.2), "{keys:?} {at}");
             // Some pixels of a letter can depend on the letters that were drawn before.
-            let pixels = slow.1.iter().zip(&quick.1);
-            let differ = pixels.filter(|(slow, quick)| slow != quick).count();
+            let pixels = slow.1.iter().zip(&quick.1).enumerate();
+            // The panel may name the folder of a new file, which is random.
+            let pixels = pixels.filter(|(index, _)| index % SIZE[0] >= picture.min.x as usize);
+            let differ = pixels.filter(|(_, (slow, quick))| slow != quick).count();
             assert!(differ < 50, "{keys:?} {at}: {differ} pixels");
         }
     }
 }
 
+/// A window that shows the numbers of the scene and its file.
+fn editor() -> Window {
+    let mut window = Window::open();
+    window.press(Key::E);
+    window.step(Vec::new());
+    window
+}
+
 #[test]
 fn a_text_is_selected_and_copied_in_steps_with_clicks() {
-    let mut window = Window::open();
-    let harness = widgets(Window::open().app, SIZE);
-    let field = harness.get_by_role(Role::TextInput).rect();
+    let harness = widgets(editor().app, SIZE);
+    let mut window = editor();
+    let fields = harness.get_all_by_role(Role::TextInput);
+    let field = fields.last().expect("the name of the cuboid").rect();
     let [first, last] = [0.02, 0.98].map(|share| field.lerp_inside([share, 0.5]));
     window.click(first);
     window.wait(PAUSE);
@@ -114,26 +125,24 @@ fn a_text_is_selected_and_copied_in_steps_with_clicks() {
     window.modifiers = Modifiers::NONE;
     let click = events(&window, Pos2::new(1.0, 1.0));
     window.step([vec![Event::Copy], click].concat());
-    assert_eq!(window.output.copied.as_deref(), Some("cuboid"));
+    assert_eq!(window.output.copied.as_deref(), Some("emerald"));
 }
 
 #[test]
 fn a_choice_of_a_list_is_clicked_within_a_step() {
-    let mut harness = widgets(Window::open().app, SIZE);
-    let list = By::new().role(Role::ComboBox).value("cuboid");
-    let list = harness.get(list).rect().center();
+    let mut harness = widgets(editor().app, SIZE);
+    let list = harness.get_by_label("other scenes").rect().center();
     harness.hover_at(list);
     harness.drag_at(list);
     harness.drop_at(list);
     harness.run_ok();
     let choice = harness.get_by_label("bench-far").rect().center();
-    let mut window = Window::open();
     for click in [Window::click, tap] {
-        window.reopen(default_scene());
+        let mut window = editor();
         for at in [list, choice] {
             click(&mut window, at);
+            window.wait(PAUSE);
         }
-        window.wait(PAUSE);
         assert_eq!(window.app.document.scene.name, "bench-far");
     }
 }

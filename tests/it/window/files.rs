@@ -4,9 +4,8 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::{By, Queryable};
+use egui_kittest::kittest::Queryable;
 use shadetrade::components::{Light, viewer};
 use shadetrade::questions::metrics::Pixel;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
@@ -14,7 +13,8 @@ use shadetrade::window::app::App;
 use shadetrade::window::error_map;
 use shadetrade::window::inspector::Tab;
 
-use super::{PAUSE, SIZE, Window};
+use super::{PAUSE, SIZE, Window, press};
+use crate::support::scene::text_without_view;
 use crate::support::window::widgets;
 
 const CONTROL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
@@ -147,11 +147,10 @@ fn the_title_has_a_star_while_edits_are_not_saved() {
 
 #[test]
 fn a_built_in_scene_is_chosen_from_a_list() {
-    let (window, path) = on_file();
+    let (window, _) = on_file();
     let mut harness = widgets(window.app, [1000, 1000]);
-    let name = path.to_string_lossy();
-    let list = By::new().role(Role::ComboBox).value(&name);
-    harness.get(list).click();
+    press(&mut harness, Key::E);
+    harness.get_by_label("other scenes").click();
     harness.run_ok();
     harness.get_by_label("assignment").click();
     harness.run_ok();
@@ -170,7 +169,7 @@ fn another_scene_has_nothing_of_the_one_before() {
     let scene = Scene::spawn("other".to_owned(), &record);
     window.choose(scene);
     let App { desk, study, .. } = &window.app;
-    assert_eq!((desk.selected, desk.tab), (None, Some(Tab::Pixel)));
+    assert!(desk.selected.is_none() && desk.is_open(Tab::Pixel));
     assert_eq!(desk.file_error, None);
     assert!(!study.facts.trade.is_current);
 }
@@ -215,7 +214,7 @@ fn a_changed_file_moves_the_camera_that_it_moves_and_keeps_its_new_text() {
     let (mut window, path) = on_file();
     window.press(Key::ArrowLeft);
     let moved = "orbit = { azimuth = 20.0, elevation = 0.0, zoom = 1.0 }\nfov = 30.0";
-    let text = BUILT_IN[0].1.replacen("fov = 30.0", moved, 1);
+    let text = text_without_view().replacen("fov = 30.0", moved, 1);
     let start = |text: &str, count: usize| {
         let mut starts = text.match_indices("\n[[camera]]");
         starts.nth(count).expect("a camera").0

@@ -6,7 +6,7 @@ use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::display_step;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
-use shadetrade::window::lights::{Disc, drag_light, lights};
+use shadetrade::window::lights::{Lamp, drag_light, lamps};
 
 use super::{PAUSE, SIZE, Window};
 use crate::support::records;
@@ -21,16 +21,18 @@ fn with_light_at(height: f64) -> Window {
 }
 
 /// The discs of the lights in sight.
-fn discs(window: &Window) -> Vec<Disc> {
+fn discs(window: &Window) -> Vec<Lamp> {
     let App {
         document, canvas, ..
     } = &window.app;
-    lights(&document.scene.world, &window.app.view(), canvas)
+    let mut discs = lamps(&document.scene.world, &window.app.view(), canvas);
+    discs.retain(|lamp| lamp.way.is_none());
+    discs
 }
 
 fn place_of(window: &Window, name: &str) -> Pos2 {
     let discs = discs(window);
-    let disc = discs.iter().find(|disc| disc.name == name);
+    let disc = discs.iter().find(|disc| disc.names == [name]);
     disc.expect("a disc").at
 }
 
@@ -87,7 +89,7 @@ fn a_click_selects_in_the_scenes_tab() {
     assert_eq!(selected(&window), Some(("light", 4)));
     window.click(window.app.canvas.place.center());
     assert_eq!(selected(&window), Some(("cuboid", 0)));
-    assert_eq!(window.app.desk.tab, Some(Tab::Scene));
+    assert!(window.app.desk.is_open(Tab::Scene));
     // A pixel of the same row, which is probed already.
     window.click(place_of(&window, "near"));
     window.click(window.app.canvas.place.center() + vec2(8.0, 0.0));
@@ -125,7 +127,7 @@ fn only_lights_in_sight_have_discs() {
     // Those of the default scene are behind the eye, and the fourth is everywhere.
     let names = |height| {
         let discs = discs(&with_light_at(height)).into_iter();
-        discs.map(|disc| disc.name).collect::<Vec<_>>()
+        discs.flat_map(|disc| disc.names).collect::<Vec<_>>()
     };
     assert_eq!(names(2.0), ["near"]);
     assert_eq!(names(9.0), [""; 0], "it is above the picture");
@@ -161,8 +163,8 @@ fn the_divider_is_dragged_within_the_picture_and_each_side_shows_its_method() {
     let mut window = Window::open();
     window.press(Key::F3);
     let [width, height] = window.app.canvas.size();
-    // The lower rows are covered by no text.
-    let lower = width * (height - 150)..width * (height - 30);
+    // These rows are covered by no text and no mark.
+    let lower = width * (height * 4 / 5)..width * (height * 4 / 5 + 25);
     let sides = [ShadingMode::Gouraud, ShadingMode::Phong]
         .map(|mode| window.drawn(|view| view.shaded(mode))[lower.clone()].to_vec());
     assert_ne!(sides[0], sides[1]);
@@ -246,7 +248,7 @@ fn a_click_probes_the_pixel_under_the_mouse_and_the_method_that_is_shown_there()
         window.click(at);
         let [x, y] = [at.x - place.min.x, at.y - place.min.y].map(|it| it as usize);
         assert_eq!(window.app.pixel(), Some([x, y]));
-        assert_eq!(window.app.desk.tab, Some(Tab::Pixel));
+        assert!(window.app.desk.is_open(Tab::Pixel));
         assert_eq!(mode(&window), Some(shown));
         let surface = window.app.probed().and_then(|it| it.surface.clone());
         let [width, _] = window.app.canvas.size();

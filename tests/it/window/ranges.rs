@@ -93,7 +93,7 @@ fn no_slider_and_no_drag_makes_an_illegal_number() {
             let mut record = record();
             record.view.budget = budget;
             let app = harness.state_mut();
-            app.desk.tab = Some(tab);
+            app.desk.tabs = vec![tab];
             app.document.restore(&record);
             app.desk.selected = Some((entity, 0));
             app.desk.message = None;

@@ -281,7 +281,7 @@ fn a_choice_keeps_a_budget_and_goes_to_a_faster_method_when_a_frame_was_over_it(
 #[test]
 fn the_rows_of_lights_switch_the_lights_of_a_world() {
     let world = default_scene().world;
-    let rows = |ui: &mut Ui, world: &mut World| light_rows(ui, world, &mut Desk::default());
+    let rows = |ui: &mut Ui, world: &mut World| light_rows(ui, world);
     let mut harness = Harness::new_ui_state(rows, world);
     let are_on = |world: &World| {
         let mut lights = world.query::<&Light>();
@@ -301,7 +301,7 @@ fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
     shade(&mut world, ShadingMode::Gouraud);
     let mut harness = Harness::builder().with_size([300.0, 300.0]).build_ui_state(
         move |ui, world: &mut World| {
-            chart(ui, &study, &Choice::default(), world, &mut Desk::default());
+            chart(ui, &study, &Choice::default(), world);
         },
         world,
     );

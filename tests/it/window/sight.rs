@@ -16,7 +16,7 @@ use crate::support::scene::draw;
 use crate::support::window::{app, default_scene, widgets};
 
 /// The picture of this window would cut the cuboid off on the left and on the right.
-const NARROW: [usize; 2] = [420, 800];
+const NARROW: [usize; 2] = [300, 1500];
 
 /// Whether the picture on screen shows all cuboids.
 fn shows(window: &Window) -> bool {
@@ -127,7 +127,7 @@ fn what_is_added_is_in_sight() {
     for button in ["copy", "new cuboid"] {
         // The picture is not narrow, so its camera alone shows it.
         let mut harness = widgets(app(default_scene(), [1900, 600], Level::new()), [1900, 600]);
-        harness.state_mut().desk.tab = Some(Tab::Scene);
+        harness.state_mut().desk.tabs = vec![Tab::Scene];
         harness.run_ok();
         harness.get_by_label(button).click();
         harness.run_ok();

@@ -128,8 +128,8 @@ impl Storm {
 
     /// Closes the tabs with proofs, which take long for large pictures.
     fn fold_slow_answers(&mut self) {
-        let open = &mut self.window.app.desk.tab;
-        open.take_if(|tab| matches!(tab, Tab::Required | Tab::Proof));
+        let open = &mut self.window.app.desk.tabs;
+        open.retain(|tab| !matches!(tab, Tab::Required | Tab::Proof));
     }
 }
 

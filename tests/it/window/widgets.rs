@@ -17,7 +17,7 @@ use super::{PAUSE, Window, press};
 use crate::support::window::{app, default_scene, places, widgets};
 
 /// A size in which every section and tab is visible.
-const SIZE: [usize; 2] = [1400, 1000];
+const SIZE: [usize; 2] = [1400, 1400];
 
 fn open() -> Harness<'static, App> {
     widgets(app(default_scene(), SIZE, Level::new()), SIZE)
@@ -49,12 +49,12 @@ fn click(harness: &mut Harness<App>, label: &str) {
     click_at(harness, found[0]);
 }
 
-/// Clicks the last widget with this label in the inspector.
+/// Clicks the last widget with this label in the panel.
 #[track_caller]
 fn click_inside(harness: &mut Harness<App>, label: &str) {
-    let left = harness.state().canvas.place.max.x;
+    let right = harness.state().canvas.place.min.x;
     let mut found = places(harness, label);
-    found.retain(|at| at.x > left);
+    found.retain(|at| at.x < right);
     let place = found.last().expect("a widget with this label");
     click_at(harness, *place);
 }
@@ -87,14 +87,26 @@ pub fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 
 #[test]
 fn every_button_does_what_its_key_does() {
-    let size = [900, 700];
+    let size = [900, 1600];
     let mut harness = widgets(app(default_scene(), size, Level::new()), size);
+    let headings = [Tab::Time, Tab::Pictures, Tab::Camera, Tab::Scene];
+    harness.state_mut().desk.tabs = headings.to_vec();
+    harness.run_ok();
     let start = record(&harness);
     let mut count = 0;
     for (name, _, keys) in BINDINGS.iter().flat_map(|section| section.1) {
         let (modifiers, key, action) = keys[0];
         // They write files, and act while they are held.
-        let is_other = matches!(action, Action::Save | Action::SaveAs | Action::Blink);
+        let is_other = matches!(
+            action,
+            Action::Save
+                | Action::SaveAs
+                | Action::Blink
+                | Action::Screenshot
+                | Action::SavePicture
+        );
+        // The editor has rows of lights.
+        let is_other = is_other || matches!(action, Action::LightNamed(_));
         if places(&harness, name).is_empty() || is_other {
             continue;
         }
@@ -115,6 +127,7 @@ fn every_button_does_what_its_key_does() {
             app.viewer_mut().turns = false;
             app.document.restore(&start);
             app.desk = Desk::default();
+            app.desk.tabs = headings.to_vec();
             harness.run_ok();
             state
         };
@@ -168,7 +181,8 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
         }),
     ];
     let mut harness = open();
-    press(&mut harness, Key::E);
+    harness.state_mut().desk.tabs = vec![Tab::Time, Tab::Camera, Tab::Scene];
+    harness.run_ok();
     for (name, change) in changes {
         let before = record(&harness);
         harness.state_mut().document.keep(PAUSE, true);
@@ -189,6 +203,7 @@ fn lists_of_choices_change_the_record() {
         ("perspective", |it| it.projection = Projection::ALL[0]),
     ];
     let mut harness = open();
+    click(&mut harness, "Camera");
     let mut expected = record(&harness);
     for (label, change) in clicks {
         change(&mut expected.view);
@@ -196,12 +211,12 @@ fn lists_of_choices_change_the_record() {
         assert_eq!(record(&harness), expected, "{label}");
     }
     for (label, tab) in [
-        ("Required", Tab::Required),
-        ("Pixel", Tab::Pixel),
+        ("Needed parts", Tab::Required),
+        ("Numbers", Tab::Pixel),
         ("Proof", Tab::Proof),
     ] {
         click(&mut harness, label);
-        assert_eq!(harness.state().desk.tab, Some(tab));
+        assert!(harness.state().desk.is_open(tab));
     }
     for on in [false, true] {
         expected.light[1].on = on;
@@ -215,6 +230,7 @@ fn lists_of_choices_change_the_record() {
 #[test]
 fn the_tolerance_is_typed_and_dragged() {
     let mut harness = open();
+    click(&mut harness, "Time and error");
     enter(&mut harness, "tolerance", 0, "2");
     assert_eq!(harness.state().viewer().tolerance, 2.0);
     enter(&mut harness, "tolerance", 0, "0");
@@ -222,8 +238,7 @@ fn the_tolerance_is_typed_and_dragged() {
     enter(&mut harness, "tolerance", 0, "1000");
     assert_eq!(harness.state().viewer().tolerance, 255.0);
     let mut sliders = harness.query_all_by(|node| node.role() == Role::Slider);
-    // The first one is that of the segments.
-    let slider = sliders.nth(1).expect("a slider").rect();
+    let slider = sliders.next().expect("a slider").rect();
     drop(sliders);
     let mut last = -1.0;
     for share in [0.0, 0.25, 0.5, 0.75, 1.0] {
@@ -300,10 +315,8 @@ fn entities_are_copied_renamed_and_deleted() {
         let before = names::<Light>(&harness.state().document.scene.world);
         click_inside(&mut harness, &before[0]);
         let fields = harness.query_all_by_role(Role::TextInput);
-        let inspector = harness.state().canvas.place.max.x;
-        let mut fields = fields.map(|field| field.rect().center());
-        let field = fields.find(|at| at.x > inspector);
-        drop(fields);
+        // The first one is that of the file's name.
+        let field = fields.map(|field| field.rect().center()).nth(1);
         click_at(&mut harness, field.expect("the field of the name"));
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         harness.run_ok();

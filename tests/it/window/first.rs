@@ -1,0 +1,167 @@
+//! The first screen: its question, what can be clicked, its words, and that all of it fits.
+
+use egui::accesskit::Role;
+use egui::{Key, Rect, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use fearless_simd::Level;
+use shadetrade::components::{ShadingMode, Side, ViewMode, common_mode};
+use shadetrade::questions::probe;
+use shadetrade::window::app::App;
+use shadetrade::window::inspector::HEADINGS;
+use shadetrade::window::pictures::divider_column;
+
+use super::trade::with_trade;
+use super::{Window, press};
+use crate::support::window::{app, first_scene, places, widgets};
+
+/// The roles of widgets that are clicked.
+const CLICKED: [Role; 9] = [
+    Role::Button,
+    Role::CheckBox,
+    Role::ColorWell,
+    Role::ComboBox,
+    Role::Link,
+    Role::RadioButton,
+    Role::Slider,
+    Role::SpinButton,
+    Role::TextInput,
+];
+
+fn open(size: [usize; 2]) -> Harness<'static, App> {
+    let app = app(first_scene(), size, Level::new());
+    widgets(with_trade(app), size)
+}
+
+/// The words of a text: a letter alone is the key of something.
+fn words(text: &str) -> usize {
+    let words = text.split(|letter: char| !letter.is_alphanumeric());
+    words
+        .filter(|word| word.len() > 1 && word.starts_with(char::is_alphabetic))
+        .count()
+}
+
+#[test]
+fn the_first_screen_has_few_things_to_click_and_few_words() {
+    let harness = open([1366, 768]);
+    let clicked = harness.query_all_by(|node| CLICKED.contains(&node.role()));
+    assert!(clicked.count() <= 24, "things to click");
+    let mut texts = Vec::new();
+    for node in harness.query_all_by(|node| node.role() != Role::Unknown) {
+        let node = node.accesskit_node();
+        // A text is a node in a node.
+        if node.children().next().is_none() {
+            texts.extend(node.value().or(node.label()));
+        }
+    }
+    let count: usize = texts.iter().map(|text| words(text)).sum();
+    assert!((40..=70).contains(&count), "{count}: {texts:?}");
+}
+
+#[test]
+fn everything_in_sight_fits() {
+    for size in [[1366, 768], [1280, 800], [960, 720], [800, 600]] {
+        let harness = open(size);
+        let window = Rect::from_min_size([0.0; 2].into(), vec2(size[0] as f32, size[1] as f32));
+        for node in harness.query_all_by(|node| CLICKED.contains(&node.role())) {
+            let place = node.rect();
+            assert!(window.contains_rect(place), "{size:?}: {node:?}");
+        }
+        let count = harness
+            .query_all_by(|node| CLICKED.contains(&node.role()))
+            .count();
+        assert!(count > 20, "{size:?}: {count}");
+        let is_row = size[1] < 650;
+        for (_, name, keys, _) in HEADINGS {
+            let first = keys.split(' ').next().filter(|it| is_row && !it.is_empty());
+            let own = first.unwrap_or(name);
+            assert!(!places(&harness, own).is_empty(), "{size:?}: {name}");
+        }
+    }
+}
+
+#[test]
+fn the_line_goes_through_the_highlight_and_the_question_asks_for_it() {
+    let mut window = Window::of(first_scene(), [1240, 960]);
+    assert_eq!(window.record().view.show, ViewMode::Wipe);
+    assert_eq!(window.record().view.sides, Side::gouraud_phong(0.5));
+    let mut scene = first_scene();
+    let view = shadetrade::components::View::of(&scene.world, [960, 720]);
+    let column = divider_column(window.record().view.divider, 960);
+    let probes = probe::section(&mut scene, &view, [column, 327], Level::new());
+    let surfaces = probes.expect("it fits").into_iter().filter_map(|probe| {
+        let surface = probe.surface?;
+        Some((probe.pixel[0], surface.phong.z))
+    });
+    let brightest = surfaces.max_by(|one, other| one.1.total_cmp(&other.1));
+    let (brightest, _) = brightest.expect("a cuboid");
+    assert!(
+        brightest.abs_diff(column) < 10,
+        "{brightest} is not {column}"
+    );
+    let has_question = |window: &mut Window| {
+        let spare = app(first_scene(), [64, 48], Level::new());
+        let mut harness = widgets(std::mem::replace(&mut window.app, spare), [1240, 960]);
+        let has = harness.query_by_label_contains("bright spot").is_some();
+        std::mem::swap(&mut window.app, harness.state_mut());
+        has
+    };
+    assert!(has_question(&mut window));
+    // Without a highlight on either side there is nothing to ask for.
+    for key in [Key::X, Key::S, Key::G, Key::F5] {
+        window.press(key);
+        assert!(!has_question(&mut window), "{key:?}");
+        window.press(Key::F3);
+        if [Key::X, Key::S].contains(&key) {
+            window.press(key);
+        }
+        assert!(has_question(&mut window), "{key:?}");
+    }
+}
+
+#[test]
+fn a_mode_shows_the_whole_picture_and_a_key_brings_the_line_back() {
+    let mut harness = open([960, 720]);
+    for (key, mode) in [
+        (Key::P, ShadingMode::Phong),
+        (Key::G, ShadingMode::Gouraud),
+        (Key::F, ShadingMode::Flat),
+    ] {
+        let size = harness.state().canvas.size();
+        press(&mut harness, key);
+        let app = harness.state();
+        assert_eq!(app.viewer().show, ViewMode::Picture);
+        assert_eq!(common_mode(&app.document.scene.world), Some(mode));
+        assert_eq!(app.canvas.size(), size, "the picture keeps its size");
+        press(&mut harness, Key::F3);
+        assert_eq!(harness.state().viewer().show, ViewMode::Wipe);
+    }
+    // A wipe of the picture goes on with another mode.
+    press(&mut harness, Key::F4);
+    press(&mut harness, Key::P);
+    assert_eq!(harness.state().viewer().show, ViewMode::Wipe);
+}
+
+#[test]
+fn a_heading_opens_in_place_and_one_at_a_time_in_a_low_window() {
+    for (size, is_alone) in [([1280, 800], true), ([1280, 1400], false)] {
+        let mut harness = open(size);
+        let picture = harness.state().canvas.size();
+        for (tab, name, ..) in HEADINGS {
+            let at = places(&harness, name)[0];
+            harness.hover_at(at);
+            harness.drag_at(at);
+            harness.drop_at(at);
+            harness.run_ok();
+            let app = harness.state();
+            assert!(app.desk.is_open(tab), "{size:?}: {name}");
+            assert_eq!(app.desk.tabs.len() == 1, is_alone || tab == HEADINGS[0].0);
+            assert_eq!(app.canvas.size(), picture, "{name}");
+            if !is_alone {
+                break;
+            }
+        }
+        press(&mut harness, Key::Escape);
+        assert!(!harness.state().desk.is_open(HEADINGS[8].0));
+    }
+}
