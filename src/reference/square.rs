@@ -177,6 +177,11 @@ fn interpolation_error([x, y]: [Interval; 2]) -> Interval {
     (x + y + x.min(y) * exact(2.0) / exact(3.0)) / exact(24.0)
 }
 
+/// A bound on the distance of a function of at most this size from the biquadratic through its samples.
+fn any_error(largest: Interval) -> Interval {
+    largest * exact(1.0 + AMPLIFICATION)
+}
+
 /// n, l and o on a square.
 struct Directions<'a> {
     normal: &'a MovingVector,
@@ -191,8 +196,12 @@ impl Directions<'_> {
         self.normal.direction.dot(self.to_light.direction) + turn.either(-turn)
     }
 
-    /// A bound on the interpolation error of n.l.
-    fn cosine_error(&self) -> Interval {
+    /// A bound on the interpolation error of max(0, n.l); `is_lit` as in [`Directions::highlight_error`].
+    fn cosine_error(&self, is_lit: bool) -> Interval {
+        if !is_lit {
+            // It has a kink.
+            return any_error(self.cosine().max(exact(0.0)));
+        }
         let third = |axis| {
             let [normal, to_light] = [self.normal, self.to_light].map(|it| it.derivatives(axis));
             product(normal, to_light)[2]
@@ -211,8 +220,7 @@ impl Directions<'_> {
         // The slope of the cosine is at most the largest sine.
         let step = turn * sine;
         let [least, largest] = [middle - step, middle + step].map(|s| s.max(zero).min(one));
-        // A function of at most this size differs by no more from the polynomial through its samples.
-        let highest = largest.power(shininess) * exact(1.0 + AMPLIFICATION);
+        let highest = any_error(largest.power(shininess));
         if !is_lit {
             return highest;
         }
@@ -275,27 +283,21 @@ impl ReferenceCuboid<Interval> {
                 to_light,
                 to_eye,
             };
-            let cosine = directions.cosine();
-            let sign = cosine.sign(0.0);
+            let sign = directions.cosine().sign(0.0);
             if sign == Some(Ordering::Less) {
                 continue;
             }
+            let is_lit = sign.is_some();
             let of_kind = |kind| {
                 let lights = lights.iter().filter(move |light| light.kind == kind);
                 let levels = lights.map(|light| light.levels);
                 levels.reduce(|one, other| one + other)
             };
             if let Some(levels) = of_kind(LightKind::Diffuse) {
-                let error = if sign.is_some() {
-                    directions.cosine_error()
-                } else {
-                    // max(0, n.l) has a kink.
-                    cosine.max(exact(0.0)) * exact(1.0 + AMPLIFICATION)
-                };
-                sum = sum + levels * error;
+                sum = sum + levels * directions.cosine_error(is_lit);
             }
             if let Some(levels) = of_kind(LightKind::Specular) {
-                let error = directions.highlight_error(self.surface.shininess, sign.is_some());
+                let error = directions.highlight_error(self.surface.shininess, is_lit);
                 sum = sum + levels * error;
             }
         }
@@ -430,9 +432,9 @@ fn polynomial(samples: [[[f64; 2]; 3]; 3]) -> ([[f64; 3]; 3], f64) {
         ]
     };
     let ends = samples.as_flattened();
-    let width = ends.iter().map(|[least, largest]| largest - least);
+    let radius = ends.iter().map(|[least, largest]| (largest - least) / 2.0);
     let size = ends.iter().flatten().map(|end| end.abs());
-    let error = AMPLIFICATION * width.fold(0.0, f64::max) + ROUNDING * size.fold(0.0, f64::max);
+    let error = AMPLIFICATION * radius.fold(0.0, f64::max) + ROUNDING * size.fold(0.0, f64::max);
     let rows = samples.map(|row| quadratic(row.map(|[least, largest]| least.midpoint(largest))));
     let mut coefficients = [[0.0; 3]; 3];
     for x in 0..3 {
