@@ -10,6 +10,7 @@ mod page;
 
 use fearless_simd::Level;
 use glam::DVec3;
+use hecs::World;
 
 use crate::components::{
     FileOrder, Light, Material, Mesh, Name, NormalMode, Projection, ShadingMode, Transform,
@@ -145,24 +146,9 @@ pub fn section(
     let gouraud = draw(&view.shaded(ShadingMode::Gouraud))?;
     let phong = draw(&view.shaded(ShadingMode::Phong))?;
     let row = (y - top) * width;
-    let triangles = &own.triangles()[row..row + width];
-    let is_seen = |column: &usize| {
-        triangles[x] != TriangleId::NONE && triangles[*column].face_id() == triangles[x].face_id()
-    };
-    let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
-    let last = (x..width).take_while(is_seen).last().unwrap_or(x);
-    let step = ((last + 1 - first) * lights / MOST_TERMS).max(1);
-    let is_kept =
-        |column: &usize| (column - first).is_multiple_of(step) || [x, last].contains(column);
-    let columns: Vec<usize> = (first..=last).filter(is_kept).collect();
+    let columns = columns(&own.triangles()[row..row + width], x, lights);
     let samples = reference::in_row(&scene.world, &model, y, &columns);
-    let source = |(name, light, transform): (&Name, &Light, Option<&Transform>)| Source {
-        name: name.0.clone(),
-        light: *light,
-        place: transform.map_or(DVec3::ZERO, |it| it.position),
-    };
-    let mut sources = in_file_order::<(&Name, &Light, Option<&Transform>), _>(&scene.world, source);
-    sources.retain(|source| source.light.on);
+    let sources = sources(&scene.world);
     let eye = (view.projection == Projection::Perspective).then_some(view.camera.position);
     let mut query = (scene.world).query::<(&FileOrder, &Name, &Material, &ShadingMode, Shape)>();
     let cuboids: Vec<_> = query.iter().collect();
@@ -206,4 +192,28 @@ pub fn section(
         Probe { pixel, surface }
     });
     Ok(probes.collect())
+}
+
+/// The columns of a row on the face that is visible at column `x`, fewer with very many lights.
+fn columns(row: &[TriangleId], x: usize, lights: usize) -> Vec<usize> {
+    let is_seen =
+        |column: &usize| row[x] != TriangleId::NONE && row[*column].face_id() == row[x].face_id();
+    let first = (0..x).rev().take_while(is_seen).last().unwrap_or(x);
+    let last = (x..row.len()).take_while(is_seen).last().unwrap_or(x);
+    let step = ((last + 1 - first) * lights / MOST_TERMS).max(1);
+    let is_kept =
+        |column: &usize| (column - first).is_multiple_of(step) || [x, last].contains(column);
+    (first..=last).filter(is_kept).collect()
+}
+
+/// The lights that are on, in the order of their file.
+fn sources(world: &World) -> Vec<Source> {
+    let source = |(name, light, transform): (&Name, &Light, Option<&Transform>)| Source {
+        name: name.0.clone(),
+        light: *light,
+        place: transform.map_or(DVec3::ZERO, |it| it.position),
+    };
+    let mut sources = in_file_order::<(&Name, &Light, Option<&Transform>), _>(world, source);
+    sources.retain(|source| source.light.on);
+    sources
 }

@@ -8,16 +8,18 @@
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;
 
+use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 
 use crate::components::{
-    FACES, Illumination, Lens, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
+    FACES, Illumination, Light, LightKind, Material, Mesh, Normals, PointLight, Projected,
     Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, length, unit,
 };
 use crate::shading::Surface;
 use crate::shading::affine::Affine;
-use crate::shading::face::Plane;
+use crate::shading::face::{Plane, Rays};
+use crate::shading::grid::Grids;
 use crate::shading::simd::{dispatch, inlined};
 use crate::systems::frame::{DrawList, Frame};
 
@@ -50,98 +52,133 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             grids,
             ..
         } = &mut frame.list;
-        let (lens, surface) = (
-            &rays.lens,
-            Surface::new(material, illumination, transform.position),
-        );
-        let own_plane = |face| {
-            matches!(normals, Normals::Face(_))
-                .then(|| Plane::new(face, transform, mesh.corners[7], rays))
+        let lit = LitCuboid {
+            transform,
+            mesh,
+            normals,
+            rays,
+            surface: Surface::new(material, illumination, transform.position),
         };
-        let levels = |plane: &Option<Plane>, place: DVec3, normal: DVec3| {
-            let offset = transform.axes * place;
-            let to_eye = match lens.projection {
-                Projection::Perspective => unit(lens.eye - transform.position - offset),
-                Projection::Orthographic => -lens.axes[2],
-            };
-            let surface = Surface {
-                plane: plane.as_ref(),
-                ..surface
-            };
-            surface.levels(offset, normal, to_eye)
-        };
-        let seen = || (0..FACES.len()).filter(|face| projected.polygons[*face].meets(view.size));
         let segments = view.segments(*segments);
+        let seen = (0..FACES.len()).filter(|face| projected.polygons[*face].meets(view.size));
+        let faces = seen.clone().count();
         let evaluations;
-        if mode == ShadingMode::Flat {
-            let mut faces = [[DVec3::ZERO; 4]; 3];
-            for face in seen() {
-                let (middle, normal) = mesh.on_face(face, &normals.of_face(face), [0.0; 2]);
-                faces[face / 2] = [levels(&own_plane(face), middle, unit(normal)); 4];
-            }
-            *colors = VertexColors::Face(faces);
-            evaluations = seen().count();
-        } else if segments.count() > 1 {
-            let mut indices = [0; 3];
-            for face in seen() {
-                let plane = own_plane(face);
-                let surface = Surface {
-                    plane: plane.as_ref(),
-                    ..surface
-                };
-                let functions = on_face(face, mesh, normals, transform, lens);
-                indices[face / 2] = dispatch!(level, simd => grids.add(
-                    simd,
-                    segments,
-                    inlined!(|uv| surface.levels_in_lanes(&functions, uv))
-                ));
-            }
-            *colors = VertexColors::Grid(indices);
-            evaluations = seen().count() * segments.points();
-        } else if let Normals::Corner(normals) = normals {
-            let levels = from_fn(|corner| levels(&None, mesh.corners[corner], normals[corner]));
-            *colors = VertexColors::Corner(levels);
-            evaluations = 8;
-        } else {
-            let mut faces = [[DVec3::ZERO; 4]; 3];
-            for face in seen() {
-                let plane = own_plane(face);
-                let (corners, normals) = (FACES[face].map(usize::from), normals.of_face(face));
-                let level =
-                    |index: usize| levels(&plane, mesh.corners[corners[index]], normals[index]);
-                faces[face / 2] = from_fn(level);
-            }
-            *colors = VertexColors::Face(faces);
-            evaluations = 4 * seen().count();
-        }
+        (*colors, evaluations) = match normals {
+            _ if mode == ShadingMode::Flat => (lit.at_middles(seen), faces),
+            _ if segments.count() > 1 => (
+                lit.at_grid_points(seen, segments, grids, level),
+                faces * segments.points(),
+            ),
+            Normals::Corner(normals) => (lit.at_corners(normals), normals.len()),
+            Normals::Face(_) => (lit.at_corners_of_faces(seen), 4 * faces),
+        };
         let evaluations = evaluations as u64;
         frame.counts.model_evaluations += evaluations;
-        frame.counts.specular_evaluations += evaluations * surface.powers() as u64;
+        frame.counts.specular_evaluations += evaluations * lit.surface.powers() as u64;
     }
 }
 
-/// Offset, normal and vector to the eye at the points of a face, as functions of u and v; see [`Surface::levels_in_lanes`].
-fn on_face(
-    face: usize,
-    mesh: &Mesh,
-    normals: &Normals,
-    transform: &WorldTransform,
-    lens: &Lens,
-) -> [Affine; 3] {
-    let at = |u, v| mesh.on_face(face, &normals.of_face(face), [u, v]);
-    let [middle, right, up] = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
-    let place = Affine::new(middle.0, right.0 - middle.0, up.0 - middle.0);
-    let normal = Affine::new(middle.1, right.1 - middle.1, up.1 - middle.1);
-    let offset = place.map(|it| transform.axes * it);
-    let from_centre = lens.eye - transform.position;
-    let constant = |to_eye| Affine::new(to_eye, DVec3::ZERO, DVec3::ZERO);
-    let to_eye = match lens.projection {
-        Projection::Orthographic => constant(-lens.axes[2]),
-        // A cuboid is at most 1e100 wide, and larger squares overflow.
-        Projection::Perspective if length(from_centre) > 1e150 => constant(unit(from_centre)),
-        Projection::Perspective => Affine::new(from_centre - offset.centre, -offset.dx, -offset.dy),
-    };
-    [offset, normal, to_eye]
+/// A cuboid whose vertex colours are computed. Faces are given by their numbers.
+struct LitCuboid<'a> {
+    transform: &'a WorldTransform,
+    mesh: &'a Mesh,
+    normals: &'a Normals,
+    rays: &'a Rays,
+    surface: Surface<'a>,
+}
+
+impl LitCuboid<'_> {
+    fn at_middles(&self, faces: impl Iterator<Item = usize>) -> VertexColors {
+        let mut colors = [[DVec3::ZERO; 4]; 3];
+        for face in faces {
+            let (middle, normal) = (self.mesh).on_face(face, &self.normals.of_face(face), [0.0; 2]);
+            let plane = self.plane(face);
+            colors[face / 2] = [self.levels(plane.as_ref(), middle, unit(normal)); 4];
+        }
+        VertexColors::Face(colors)
+    }
+
+    fn at_grid_points(
+        &self,
+        faces: impl Iterator<Item = usize>,
+        segments: Segments,
+        grids: &mut Grids,
+        level: Level,
+    ) -> VertexColors {
+        let mut indices = [0; 3];
+        for face in faces {
+            let plane = self.plane(face);
+            let surface = Surface {
+                plane: plane.as_ref(),
+                ..self.surface
+            };
+            let functions = self.on_face(face);
+            indices[face / 2] = dispatch!(level, simd => grids.add(
+                simd,
+                segments,
+                inlined!(|uv| surface.levels_in_lanes(&functions, uv))
+            ));
+        }
+        VertexColors::Grid(indices)
+    }
+
+    fn at_corners(&self, normals: &[DVec3; 8]) -> VertexColors {
+        let corners = &self.mesh.corners;
+        VertexColors::Corner(from_fn(|it| self.levels(None, corners[it], normals[it])))
+    }
+
+    fn at_corners_of_faces(&self, faces: impl Iterator<Item = usize>) -> VertexColors {
+        let mut colors = [[DVec3::ZERO; 4]; 3];
+        for face in faces {
+            let plane = self.plane(face);
+            let (corners, normals) = (FACES[face].map(usize::from), self.normals.of_face(face));
+            let place = |index: usize| self.mesh.corners[corners[index]];
+            let level = |index| self.levels(plane.as_ref(), place(index), normals[index]);
+            colors[face / 2] = from_fn(level);
+        }
+        VertexColors::Face(colors)
+    }
+
+    /// The plane of a face that has its own normal.
+    fn plane(&self, face: usize) -> Option<Plane> {
+        let has_own = matches!(self.normals, Normals::Face(_));
+        has_own.then(|| Plane::new(face, self.transform, self.mesh.corners[7], self.rays))
+    }
+
+    /// The levels at a place of the cuboid, in its own axes.
+    fn levels(&self, plane: Option<&Plane>, place: DVec3, normal: DVec3) -> DVec3 {
+        let (lens, offset) = (&self.rays.lens, self.transform.axes * place);
+        let to_eye = match lens.projection {
+            Projection::Perspective => unit(lens.eye - self.transform.position - offset),
+            Projection::Orthographic => -lens.axes[2],
+        };
+        let surface = Surface {
+            plane,
+            ..self.surface
+        };
+        surface.levels(offset, normal, to_eye)
+    }
+
+    /// Offset, normal and vector to the eye at the points of a face, as functions of u and v; see [`Surface::levels_in_lanes`].
+    fn on_face(&self, face: usize) -> [Affine; 3] {
+        let (transform, lens) = (self.transform, &self.rays.lens);
+        let at = |u, v| (self.mesh).on_face(face, &self.normals.of_face(face), [u, v]);
+        let [middle, right, up] = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
+        let place = Affine::new(middle.0, right.0 - middle.0, up.0 - middle.0);
+        let normal = Affine::new(middle.1, right.1 - middle.1, up.1 - middle.1);
+        let offset = place.map(|it| transform.axes * it);
+        let from_centre = lens.eye - transform.position;
+        let constant = |to_eye| Affine::new(to_eye, DVec3::ZERO, DVec3::ZERO);
+        let to_eye = match lens.projection {
+            Projection::Orthographic => constant(-lens.axes[2]),
+            // A cuboid is at most 1e100 wide, and larger squares overflow.
+            Projection::Perspective if length(from_centre) > 1e150 => constant(unit(from_centre)),
+            Projection::Perspective => {
+                Affine::new(from_centre - offset.centre, -offset.dx, -offset.dy)
+            }
+        };
+        [offset, normal, to_eye]
+    }
 }
 
 /// Sums the lights that are on, by position. Ambient lights get a position at infinity, where no other light can be.
