@@ -1,4 +1,4 @@
-# |V x V_x| in f64, `field::CROSS_ERROR`: the root of |r|^2 - (m.r)^2, where m = V / |V| and r is V_x times half the square.
+# |V x V_x| in f64, `moving::CROSS_ERROR`: the root of |r|^2 - (m.r)^2, where m = V / |V| and r is V_x times half the square.
 # Range: |r| = 1; all lines are homogeneous in r. By hand: a component of m errs by 4.51 u and one of r by u, u = 2^-53, each
 # relative (unit.g), so m.r by 5.51 u before its own roundings (Cauchy and Schwarz), and |r| by 5 u. As |sqrt a - sqrt b| is at
 # most sqrt |a - b|, the cross product errs by sqrt(34 u) < 6.2e-8 of |r|; CROSS_ERROR is 1e-7.

@@ -25,9 +25,15 @@
 //!              + 25/9 times the rounding error of a sample                                 rounding, interpolation
 //!              + the rounding error of a row, and the polynomial's terms that are left out  interpolation
 //! ```
-//! [`phong`] classifies the lights and evaluates the model, [`bound`] bounds interpolation errors and [`rounding`] rounding
-//! errors, [`interpolation`] makes the polynomial, [`rows`] evaluates it row by row, and [`crate::systems::rasterization`]
-//! cuts faces into squares.
+//! | question | files |
+//! |---|---|
+//! | What is the model at a point? | `surface`, [`specular`], [`display`] (levels to bytes) |
+//! | How do quantities change across a face? | [`affine`], [`face`] |
+//! | How is a mode evaluated? | `shader` chooses: [`phong`], [`gouraud`] with the cells of [`grid`]; flat is Gouraud with one colour |
+//! | Why is the error within the tolerance? | [`moving`], [`bound`], [`gloss`], [`rounding`], [`interpolation`] |
+//! | Which pixels, and in which lanes? | [`square`], [`lanes`], [`rows`], [`listed`], [`simd`] |
+//! | Where is a pixel written? | `draw` of `systems/rasterization/canvas.rs`, and [`listed`] for pixels evaluated in f64 |
+//! | Which methods are compared? | `method` |
 //!
 //! Terms: a *node* is one of the nine points of a square at which the model is sampled. A *terminator* is a line on which
 //! n.l of a light is 0. A *highlight* is the term of a light with s^rho, s = o.r. A *sliver* is a face so thin on the
@@ -43,15 +49,15 @@ pub mod affine;
 pub mod bound;
 pub mod display;
 pub mod face;
-pub mod field;
 pub mod gloss;
 pub mod gouraud;
 pub mod grid;
 pub mod interpolation;
 pub mod lanes;
+pub mod listed;
 mod method;
+pub mod moving;
 pub mod phong;
-pub mod pixels;
 pub mod rounding;
 pub mod rows;
 #[cfg(test)]

@@ -70,10 +70,10 @@ use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 
 use super::U;
 use super::affine::Affine;
-use super::field::{Field, positive};
 use super::gloss::Gloss;
 use super::interpolation::AMPLIFICATION;
 use super::lanes::{cross, dot};
+use super::moving::{MovingVector, positive};
 use super::specular::{self, EXPONENT_ERROR};
 use crate::shading::simd::{three, two};
 
@@ -119,7 +119,7 @@ pub fn interpolation_error<S: Simd>(third: [f64x4<S>; 2]) -> f64x4<S> {
 
 /// A bound on the interpolation error of n.l.
 #[inline(always)]
-pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> f64x4<S> {
+pub fn cosine_error<S: Simd>(normal: &MovingVector<S>, light: &MovingVector<S>) -> f64x4<S> {
     interpolation_error(two!(|axis| product(
         direction(normal.rates[axis]),
         direction(light.rates[axis])
@@ -132,8 +132,8 @@ pub fn cosine_error<S: Simd>(normal: &Field<S>, light: &Field<S>) -> f64x4<S> {
 /// n.l changes by at most the angle that n turns plus the angle that l turns.
 #[inline(always)]
 pub fn facing<S: Simd>(
-    normal: &Field<S>,
-    light: &Field<S>,
+    normal: &MovingVector<S>,
+    light: &MovingVector<S>,
     rounding: f64x4<S>,
 ) -> (f64x4<S>, mask64x4<S>, mask64x4<S>) {
     let cosine = dot(&normal.vector.centre, &light.vector.centre);
@@ -153,15 +153,15 @@ pub struct Reflection<S: Simd> {
     pub sine: f64x4<S>,
 }
 
-/// The bounds for the fields n, l and o; `cosine` is n.l at the middle. r turns by at most twice the turn
+/// The bounds for the vectors n, l and o; `cosine` is n.l at the middle. r turns by at most twice the turn
 /// of n plus that of l.
 #[inline(always)]
 pub fn reflection<S: Simd>(
-    [normal, light, eye]: [&Field<S>; 3],
+    [normal, light, eye]: [&MovingVector<S>; 3],
     cosine: f64x4<S>,
 ) -> Reflection<S> {
     let simd = cosine.token();
-    let [n, l, o] = [normal, light, eye].map(|field| &field.vector.centre);
+    let [n, l, o] = [normal, light, eye].map(|moving| &moving.vector.centre);
     let r = three!(|axis| n[axis] * cosine * 2.0 - l[axis]);
     let s = dot(o, &r);
     // |o x r| is the sine of the angle. The root of 1 - s^2 would lose its digits where s is near 1.
@@ -201,10 +201,10 @@ impl<S: Simd> Reflection<S> {
 }
 
 /// The interpolation error of a function of s, from the factors of 3 E_1 E_2 + c E_3, of c E_1 E_2 and of E_1^3 in its third
-/// derivative. The fields are n, l and o.
+/// derivative. The vectors are n, l and o.
 #[inline(always)]
 fn error_from<S: Simd>(
-    [normal, light, eye]: [&Field<S>; 3],
+    [normal, light, eye]: [&MovingVector<S>; 3],
     chord: f64x4<S>,
     [a, b, cubes]: [f64x4<S>; 3],
 ) -> f64x4<S> {
@@ -216,11 +216,11 @@ fn error_from<S: Simd>(
     }))
 }
 
-/// A bound on the interpolation error of s^rho; `power` is that of the largest s. The fields are n, l and o.
+/// A bound on the interpolation error of s^rho; `power` is that of the largest s. The vectors are n, l and o.
 #[inline(always)]
 pub fn highlight_error<S: Simd>(
     gloss: &Gloss,
-    fields: [&Field<S>; 3],
+    vectors: [&MovingVector<S>; 3],
     reflection: Reflection<S>,
     power: f64x4<S>,
 ) -> f64x4<S> {
@@ -236,7 +236,7 @@ pub fn highlight_error<S: Simd>(
     let d = (power * over * over * over * sine * sine * sine).min(peaks[1]) * third;
     // From rho = 2 on the two have opposite signs.
     let cubes = if rho >= 2.0 { b.max(d) } else { b + d };
-    let errors = error_from(fields, reflection.chord(), [a, b, cubes]);
+    let errors = error_from(vectors, reflection.chord(), [a, b, cubes]);
     let bounded = base.simd_gt(0.0);
     bounded.select(errors, f64x4::splat(simd, f64::INFINITY))
 }
@@ -246,7 +246,7 @@ pub fn highlight_error<S: Simd>(
 #[inline(always)]
 pub fn logarithm_error<S: Simd>(
     gloss: &Gloss,
-    fields: [&Field<S>; 3],
+    vectors: [&MovingVector<S>; 3],
     reflection: Reflection<S>,
     power: f64x4<S>,
     rounding: f64x4<S>,
@@ -255,7 +255,7 @@ pub fn logarithm_error<S: Simd>(
     let over = 1.0 / least;
     let b = sine * over * over * 3.0;
     let cubes = b + sine * sine * sine * over * over * over * 2.0;
-    let interpolated = error_from(fields, reflection.chord(), [over, b, cubes]);
+    let interpolated = error_from(vectors, reflection.chord(), [over, b, cubes]);
     let sample = logarithm_rounding(reflection.chord(), rounding, over) * U;
     let error = (interpolated + sample * AMPLIFICATION) * gloss.factors[0];
     let bounded = least.simd_gt(LEAST_COSINE) & error.simd_lt(MAX_EXPONENT_ERROR);

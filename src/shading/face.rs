@@ -89,7 +89,7 @@ impl Plane {
 
     /// 1 / depth in perspective, minus the depth in orthographic projection: affine on the screen, and grows towards the eye.
     /// Depth is in world units along the view direction.
-    pub fn nearness(&self, projection: Projection) -> Affine<f64> {
+    pub fn depth_key(&self, projection: Projection) -> Affine<f64> {
         match projection {
             Projection::Perspective => self.w.map(|w| w / self.height.centre),
             Projection::Orthographic => self.height.map(|h| h / -self.w.centre),

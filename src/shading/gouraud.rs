@@ -13,10 +13,10 @@ use glam::DVec3;
 use super::affine::Affine;
 use super::bound;
 use super::face::{Face, OVERSHOOT};
-use super::field::{Extents, single};
-use super::grid::{Grid, Patch};
+use super::grid::{Grid, LinearCells};
 use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
-use super::lanes::{LaneLayout, Squares, has};
+use super::lanes::{LaneLayout, SquareSet, has};
+use super::moving::{Extents, single};
 use super::{U, limit};
 use crate::shading::simd::{four, inlined, outlined, three, two};
 
@@ -33,9 +33,9 @@ pub struct Gouraud<'a> {
     diagonal_by_square: Affine<[f32; 4]>,
     colors_by_square: [[Affine<[f32; 4]>; 3]; 2],
     /// The squares that meet each triangle.
-    meets: [Squares; 2],
+    meets: [SquareSet; 2],
     /// Where levels in f32 keep the tolerance.
-    pub in_f32: Squares,
+    pub in_f32: SquareSet,
 }
 
 /// Levels at the vertices of a face.
@@ -50,8 +50,8 @@ pub enum Source<'a> {
 /// The squares of a grid that were prepared last.
 #[derive(Debug, Default)]
 pub struct GridSquares {
-    /// Those without a [`Patch`]: each of their pixels looks its cell up.
-    looked_up: Squares,
+    /// Those without a [`LinearCells`]: each of their pixels looks its cell up.
+    looked_up: SquareSet,
     /// w times their places on the grid, over w at the middle of each square, counted from a point of the grid.
     places: [Affine<[f32; 4]>; 2],
     origins: [[f64; 2]; 4],
@@ -277,7 +277,7 @@ impl GridSquares {
             grid.patch(range, &face.corners, tolerance * PATCHED)
         });
         let count = grid.segments as f64;
-        let on_patch = |patch: Option<Patch>| {
+        let on_linear = |patch: Option<LinearCells>| {
             let Some(patch) = patch else {
                 return Default::default();
             };
@@ -302,7 +302,7 @@ impl GridSquares {
             };
             (diagonal, colors)
         };
-        let on_patches: [(Affine<f64>, [Affine; 2]); 4] = patches.map(on_patch);
+        let on_patches: [(Affine<f64>, [Affine; 2]); 4] = patches.map(on_linear);
         let looked_up = (0..4)
             .map(|it| u64::from(patches[it].is_none()) << it)
             .sum();
@@ -343,10 +343,10 @@ impl GridSquares {
     }
 }
 
-/// The share of the tolerance that a [`Patch`] may err by. The rest is left for the interpolation of the quotient.
+/// The share of the tolerance that a [`LinearCells`] may err by. The rest is left for the interpolation of the quotient.
 const PATCHED: f64 = 0.75;
 
-/// The cells of four squares: affine functions on the [`Patch`] of a square that has one, and the error of that or of looking
+/// The cells of four squares: affine functions on the [`LinearCells`] of a square that has one, and the error of that or of looking
 /// cells up.
 struct Cells<S: Simd> {
     diagonal: OnSquares<S>,
@@ -355,7 +355,7 @@ struct Cells<S: Simd> {
     /// In levels.
     error: f64x4<S>,
     /// See [`GridSquares`].
-    looked_up: Squares,
+    looked_up: SquareSet,
 }
 
 #[cfg(test)]

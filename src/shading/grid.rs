@@ -142,7 +142,7 @@ pub struct Grid<'a> {
 
 /// A cell, or several with one linear function instead of theirs.
 #[derive(Clone, Copy, Debug)]
-pub struct Patch {
+pub struct LinearCells {
     /// Its first cell, and the number of cells along u and v.
     pub first: [usize; 2],
     pub size: [usize; 2],
@@ -198,7 +198,7 @@ impl Grid<'_> {
         [least, most]: [[f64; 2]; 2],
         corners: &[[f64; 2]; 4],
         tolerance: f64,
-    ) -> Option<Patch> {
+    ) -> Option<LinearCells> {
         let first = self.cell(least);
         let size = two!(|axis| {
             let end = (most[axis].max(0.0).ceil() as usize).clamp(first[axis] + 1, self.segments);
@@ -210,7 +210,7 @@ impl Grid<'_> {
         let is_inside = |axis: usize| 0.0 <= least[axis] && most[axis] <= self.segments as f64;
         if size == [1, 1] && is_inside(0) && is_inside(1) {
             let at = |[u, v]: [f64; 2]| level(usize::from(u > 0.0), usize::from(v > 0.0));
-            return Some(Patch {
+            return Some(LinearCells {
                 first,
                 size,
                 levels: corners.map(at),
@@ -242,7 +242,7 @@ impl Grid<'_> {
             let end = |u: f64, size: usize| if u > 0.0 { size as f64 } else { 0.0 };
             start + right * end(u, i) + up * end(v, j)
         };
-        (error <= tolerance).then_some(Patch {
+        (error <= tolerance).then_some(LinearCells {
             first,
             size,
             levels: corners.map(at),

@@ -16,8 +16,8 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4};
 
-use super::lanes::{Squares, has};
-use super::rows::{Curve, Ramp};
+use super::lanes::{SquareSet, has};
+use super::rows::{LinearRows, QuadraticRows};
 use super::square::Square;
 use super::{SquareKind, U};
 use crate::shading::simd::{four, three};
@@ -113,9 +113,9 @@ pub struct Interpolant<S: Simd> {
     /// None where the rest of the tolerance does not suffice or a sample is not a number.
     pub kinds: [Option<SquareKind>; 4],
     /// The squares whose three channels are linear.
-    linear: Squares,
+    linear: SquareSet,
     /// The squares that are drawn in multiples of 1/256 level.
-    fixed: Squares,
+    fixed: SquareSet,
 }
 
 impl<S: Simd> Interpolant<S> {
@@ -125,7 +125,7 @@ impl<S: Simd> Interpolant<S> {
     pub fn new(
         terms: SquareColor<f64x4<S>>,
         by_square: [[f32; 3]; 4],
-        logarithms: Squares,
+        logarithms: SquareSet,
         rest: f64x4<S>,
     ) -> Self {
         let simd = rest.token();
@@ -190,19 +190,19 @@ impl<S: Simd> Interpolant<S> {
 
     /// The rows of one of the squares, if it is linear and in multiples of 1/256 level.
     #[inline(always)]
-    pub fn ramp(&self, simd: S, index: usize, square: &Square) -> Option<Ramp<S>> {
+    pub fn linear_rows(&self, simd: S, index: usize, square: &Square) -> Option<LinearRows<S>> {
         let is_linear = self.kinds[index] == Some(SquareKind::Linear);
         (is_linear && has(self.fixed, index))
-            .then(|| Ramp::new(simd, &self.color(index, square), square))
+            .then(|| LinearRows::new(simd, &self.color(index, square), square))
     }
 
     /// The rows of one of the squares, of any kind.
     #[inline(always)]
-    pub fn curve(&self, simd: S, index: usize, square: &Square) -> Curve<S> {
+    pub fn quadratic_rows(&self, simd: S, index: usize, square: &Square) -> QuadraticRows<S> {
         let kind = self.kinds[index].unwrap_or(SquareKind::Quadratic);
         let form = [self.linear, self.fixed].map(|squares| has(squares, index));
         let (color, factors) = (self.color(index, square), self.factors[index]);
-        Curve::new(simd, color, square, form, kind, factors)
+        QuadraticRows::new(simd, color, square, form, kind, factors)
     }
 
     /// The polynomials of one of the squares, in pixels from its middle.

@@ -27,10 +27,10 @@ pub fn cross<V: Copy + Sub<Output = V> + Mul<Output = V>>(a: &[V; 3], b: &[V; 3]
 }
 
 /// A set of the four squares that are prepared together: bit i stands for square i.
-pub type Squares = u64;
+pub type SquareSet = u64;
 
 /// Whether a square is in a set.
-pub fn has(set: Squares, square: usize) -> bool {
+pub fn has(set: SquareSet, square: usize) -> bool {
     set >> square & 1 == 1
 }
 
@@ -46,7 +46,7 @@ pub enum LaneLayout {
 impl LaneLayout {
     /// Whether any lane is in a set of squares.
     #[inline(always)]
-    pub fn any(self, set: Squares) -> bool {
+    pub fn any(self, set: SquareSet) -> bool {
         match self {
             LaneLayout::Nodes => set != 0,
             LaneLayout::Pixels(square) => has(set, square),
@@ -72,7 +72,7 @@ impl LaneLayout {
     /// `number` in the lanes of the squares of `set`, 0 in the others. The square of [`LaneLayout::Pixels`] must be in `set`:
     /// callers have asked [`LaneLayout::any`].
     #[inline(always)]
-    pub fn within<S: Simd>(self, simd: S, set: Squares, number: f32) -> f32x16<S> {
+    pub fn within<S: Simd>(self, simd: S, set: SquareSet, number: f32) -> f32x16<S> {
         let number = f32x16::splat(simd, number);
         match self {
             LaneLayout::Nodes => {

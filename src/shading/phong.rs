@@ -26,10 +26,10 @@ use glam::DVec3;
 use super::affine::Affine;
 use super::bound::{self, Reflection};
 use super::face::Face;
-use super::field::{Extents, Field};
 use super::gloss::Gloss;
 use super::interpolation::{AMPLIFICATION, FOURTH, Interpolant, sampled};
-use super::lanes::{LaneLayout, Squares, dot, has};
+use super::lanes::{LaneLayout, SquareSet, dot, has};
+use super::moving::{Extents, MovingVector};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
 use super::surface::Surface;
@@ -48,11 +48,11 @@ pub struct FaceLight {
     /// The largest channel of each.
     most: [f64; 2],
     /// Where n.l may be above 0.
-    reaches: Squares,
+    reaches: SquareSet,
     /// Where its highlight is drawn.
-    shines: Squares,
+    shines: SquareSet,
     /// Where it is the fourth channel: it shines and the logarithm of its highlight is interpolated, or else n.l crosses 0.
-    fourth: Squares,
+    fourth: SquareSet,
     /// `by_pixel`, scaled to length one at the middle of each square.
     by_square: [Affine<[f32; 4]>; 3],
     /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
@@ -62,12 +62,12 @@ pub struct FaceLight {
 impl FaceLight {
     /// The interpolation error of its highlight, in levels, and the squares on which the logarithm is interpolated: those that
     /// are free for it, where the rest of the tolerance suffices for the logarithm but not for the highlight itself. `chord` is
-    /// the rounding error of |r - o|, and the fields are n, l and o.
+    /// the rounding error of |r - o|, and the vectors are n, l and o.
     #[inline(always)]
     fn highlight_error<S: Simd>(
         &self,
         gloss: &Gloss,
-        fields: [&Field<S>; 3],
+        vectors: [&MovingVector<S>; 3],
         reflection: Reflection<S>,
         chord: f64x4<S>,
         [shines, is_free]: [mask64x4<S>; 2],
@@ -77,12 +77,12 @@ impl FaceLight {
         // A highlight that is left out errs by its largest value.
         let (mut error, mut bent) = (power, shines & is_free);
         if shines.any_true() {
-            let drawn = bound::highlight_error(gloss, fields, reflection, power);
+            let drawn = bound::highlight_error(gloss, vectors, reflection, power);
             error = shines.select(drawn, power);
             bent &= (error * self.most[1]).simd_gt(rest);
         }
         if bent.any_true() {
-            let drawn = bound::logarithm_error(gloss, fields, reflection, power, chord);
+            let drawn = bound::logarithm_error(gloss, vectors, reflection, power, chord);
             bent &= (drawn * self.most[1]).simd_lt(rest);
             error = bent.select(drawn, error);
         }
@@ -108,9 +108,9 @@ pub struct Phong<'a> {
     normal_by_square: [Affine<[f32; 4]>; 3],
     eye_by_square: [Affine<[f32; 4]>; 3],
     /// Where any highlight is drawn.
-    shines: Squares,
+    shines: SquareSet,
     /// Where levels in f32 keep the tolerance.
-    pub in_f32: Squares,
+    pub in_f32: SquareSet,
 }
 
 impl<'a> Phong<'a> {
@@ -199,8 +199,8 @@ impl<'a> Phong<'a> {
         let simd = w.centre.token();
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let (zero, none) = (splat(0.0), mask64x4::splat(simd, false));
-        let normal = Field::new(&self.normal_by_pixel, extents);
-        let eye = Field::new(&self.face.rays.to_eye, extents);
+        let normal = MovingVector::new(&self.normal_by_pixel, extents);
+        let eye = MovingVector::new(&self.face.rays.to_eye, extents);
         self.normal_by_square = normal.single();
         self.eye_by_square = eye.single();
         // A square with pixels that may be clamped to the face is not interpolated.
@@ -213,8 +213,8 @@ impl<'a> Phong<'a> {
         let all_lit = mask64x4::splat(simd, self.surface.plane.is_some());
         self.shines = 0;
         for light in self.lights.iter_mut() {
-            let to_light = Field::new(&light.by_pixel, extents);
-            let fields = [&normal, &to_light, &eye];
+            let to_light = MovingVector::new(&light.by_pixel, extents);
+            let vectors = [&normal, &to_light, &eye];
             let cosine_rounding = rounding.cosine(&to_light);
             let (cosine, lit, dark) = bound::facing(&normal, &to_light, cosine_rounding * U);
             let [lit, dark] = [lit | all_lit, dark & !all_lit];
@@ -223,7 +223,7 @@ impl<'a> Phong<'a> {
             let error = bound::cosine_error(&normal, &to_light) * light.most[0];
             rest -= dark.select(zero, error);
             if light.most[1] > 0.0 {
-                let reflection = bound::reflection(fields, cosine);
+                let reflection = bound::reflection(vectors, cosine);
                 shines = reflection.most.simd_gt(self.gloss.drawn_above) & !dark;
                 left_out += (shines | dark).select(zero, splat(self.gloss.faint));
                 let chord = rounding.chord(&to_light);
@@ -231,7 +231,7 @@ impl<'a> Phong<'a> {
                 rounding.add(shines.select(splat(light.most[1]), zero), error);
                 let known = [shines, lit & !has_fourth];
                 let (error, bent) =
-                    light.highlight_error(self.gloss, fields, reflection, chord, known, rest);
+                    light.highlight_error(self.gloss, vectors, reflection, chord, known, rest);
                 rest -= dark.select(zero, error);
                 fourth = bent;
             }

@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x4};
 
 use super::U;
-use super::field::Field;
+use super::moving::MovingVector;
 
 /// The error of n.l, in roundings, from a unit normal and a light vector of any length: `proofs/chord.g`. Of a normal of any
 /// length it is 10.05: `proofs/cosine.g`.
@@ -56,7 +56,7 @@ pub struct Rounding<S: Simd> {
 impl<S: Simd> Rounding<S> {
     /// For the normal, the eye, and a sum that starts with `ambient` levels.
     #[inline(always)]
-    pub fn new(normal: &Field<S>, eye: &Field<S>, ambient: f64) -> Self {
+    pub fn new(normal: &MovingVector<S>, eye: &MovingVector<S>, ambient: f64) -> Self {
         let lanes = |number| f64x4::splat(normal.radius.token(), number);
         Rounding {
             normal: normal.direction_rounding(),
@@ -69,13 +69,13 @@ impl<S: Simd> Rounding<S> {
 
     /// The error of n.l.
     #[inline(always)]
-    pub fn cosine(&self, light: &Field<S>) -> f64x4<S> {
+    pub fn cosine(&self, light: &MovingVector<S>) -> f64x4<S> {
         self.normal + light.direction_rounding() + COSINE
     }
 
     /// The error of |r - o|.
     #[inline(always)]
-    pub fn chord(&self, light: &Field<S>) -> f64x4<S> {
+    pub fn chord(&self, light: &MovingVector<S>) -> f64x4<S> {
         self.normal * 2.0 + light.direction_rounding() + self.eye + CHORD
     }
 
@@ -103,10 +103,10 @@ mod tests {
     use proptest::test_runner::{Config, RngSeed, TestRunner};
 
     use super::super::affine::Affine;
-    use super::super::field::{Extents, MAX_RADIUS};
+    use super::super::moving::{Extents, MAX_RADIUS};
     use super::super::running::{Rounded, Vector, dot, lengths, unit};
     use super::super::specular::{EXPONENT_ERROR, POWER_ERROR};
-    use super::super::{field, interpolation};
+    use super::super::{interpolation, moving};
     use super::*;
     use crate::shading::simd::{Baseline, baseline};
 
@@ -143,11 +143,11 @@ mod tests {
         })
     }
 
-    fn field([centre, dx, dy]: &Moving) -> Field<Baseline> {
+    fn moving_vector([centre, dx, dy]: &Moving) -> MovingVector<Baseline> {
         let [centre, dx, dy] = [centre, dx, dy].map(|v| DVec3::from_array(*v));
         let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(baseline(), number); 2]);
         let extents = Extents { middle, half };
-        Field::new(&Affine { centre, dx, dy }, &extents)
+        MovingVector::new(&Affine { centre, dx, dy }, &extents)
     }
 
     fn one(lanes: f64x4<Baseline>) -> f64 {
@@ -160,7 +160,7 @@ mod tests {
     }
 
     fn turned(vector: &Moving) -> f64 {
-        one(field(vector).direction_rounding())
+        one(moving_vector(vector).direction_rounding())
     }
 
     /// The largest share of a count that an analysis finds.
@@ -191,12 +191,12 @@ mod tests {
         let direction_share = |vector: &Moving| {
             let [_, error] = lengths(&formed(vector));
             // The count is for the shortest vector there is on the square.
-            error / one(field(vector).shortest) / turned(vector)
+            error / one(moving_vector(vector).shortest) / turned(vector)
         };
         let any = largest(moving(), |vector| direction_share(&vector));
         assert_covers("a direction", any, 0.9);
         let wide = largest(moving(), |vector| {
-            let is_wide = one(field(&vector).radius) > 0.9 * MAX_RADIUS;
+            let is_wide = one(moving_vector(&vector).radius) > 0.9 * MAX_RADIUS;
             if is_wide {
                 direction_share(&vector)
             } else {
@@ -207,10 +207,11 @@ mod tests {
 
         // The vectors are taken as they are formed: the errors of their directions turn the result by as much.
         let three = || [moving(), moving(), moving()];
-        let count = |n: &Moving, o: &Moving| Rounding::new(&field(n), &field(o), 0.0);
+        let count =
+            |n: &Moving, o: &Moving| Rounding::new(&moving_vector(n), &moving_vector(o), 0.0);
         let cosine = largest(three(), |[n, l, o]| {
             let turned = [&n, &l].map(turned).iter().sum::<f64>();
-            let count = one(count(&n, &o).cosine(&field(&l))) - turned;
+            let count = one(count(&n, &o).cosine(&moving_vector(&l))) - turned;
             let [n, l] = [&n, &l].map(as_formed);
             let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
             (dot(&unit(&n), &l) * inverse).error / count
@@ -218,7 +219,7 @@ mod tests {
         assert_covers("n.l", cosine, 0.5);
         let cosine = largest(three(), |[n, l, o]| {
             let turned = [&n, &l].map(turned).iter().sum::<f64>();
-            let count = one(count(&n, &o).cosine(&field(&l))) - turned;
+            let count = one(count(&n, &o).cosine(&moving_vector(&l))) - turned;
             let [n, l] = [&n, &l].map(as_formed);
             let inverse = Rounded::exact(1.0) / (dot(&n, &n) * dot(&l, &l)).sqrt();
             (dot(&n, &l) * inverse).error / count
@@ -227,7 +228,7 @@ mod tests {
 
         let chord = largest(three(), |[n, l, o]| {
             let turned = [&n, &n, &l, &o].map(turned).iter().sum::<f64>();
-            let count = one(count(&n, &o).chord(&field(&l))) - turned;
+            let count = one(count(&n, &o).chord(&moving_vector(&l))) - turned;
             let [n, l, o] = [&n, &l, &o].map(as_formed);
             let [n, o] = [&n, &o].map(unit);
             let inverse = Rounded::exact(1.0) / dot(&l, &l).sqrt();
@@ -246,7 +247,7 @@ mod tests {
             let corners = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
             let lengths = corners.map(|[x, y]| (middle + right * x + down * y).length());
             // f64 rounds both.
-            (one(field(&vector).shortest) - 1e-12) / lengths.into_iter().fold(1.0, f64::min)
+            (one(moving_vector(&vector).shortest) - 1e-12) / lengths.into_iter().fold(1.0, f64::min)
         });
         assert_covers("the shortest vector", most, 0.9);
     }
@@ -260,7 +261,7 @@ mod tests {
     #[test]
     fn the_sum_over_lights_is_counted_whatever_their_number() {
         let terms = prop::collection::vec(0.0..100.0_f64, 1..60);
-        let steady = field(&[[1.0, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
+        let steady = moving_vector(&[[1.0, 0.0, 0.0], [0.0; 3], [0.0; 3]]);
         let share = |(ambient, terms): (f64, Vec<f64>)| {
             // Of lights that do not err themselves.
             let mut count = Rounding::new(&steady, &steady, ambient);
@@ -301,6 +302,6 @@ mod tests {
         )));
         let cross = goal(include_str!("../../proofs/cross.g"), "->");
         assert!(cross.contains("<= 34b-53 }"));
-        assert!((6e-8..field::CROSS_ERROR).contains(&(34.0 / (1_u64 << 53) as f64).sqrt()));
+        assert!((6e-8..moving::CROSS_ERROR).contains(&(34.0 / (1_u64 << 53) as f64).sqrt()));
     }
 }

@@ -42,7 +42,7 @@ const FIXED_MOST: f32 = FIXED_OFFSET + 256.0 - 1.0 / 256.0;
 /// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
 /// another. A negative change of the lower half borrows from the upper one. The sum returns it, because each channel's sum
 /// is within 0..65536.
-pub struct Ramp<S: Simd> {
+pub struct LinearRows<S: Simd> {
     /// The levels at the start of each row, and the changes from there to each column of the part.
     starts: [[u32; MAX_SIDE]; 2],
     columns: [u32x16<S>; 2],
@@ -52,7 +52,7 @@ pub struct Ramp<S: Simd> {
     left: f32,
 }
 
-impl<S: Simd> Ramp<S> {
+impl<S: Simd> LinearRows<S> {
     /// `color` is in pixels from the square's middle.
     #[inline(always)]
     pub fn new(simd: S, color: &SquareColor<f64>, square: &Square) -> Self {
@@ -70,7 +70,7 @@ impl<S: Simd> Ramp<S> {
                 starts[pair][first..first + 16].copy_from_slice(pairs[pair].as_slice());
             }
         }
-        Ramp {
+        LinearRows {
             starts,
             columns: [u32x16::splat(simd, 0); 2],
             right: three!(|channel| color[channel][0][1] as f32),
@@ -85,7 +85,7 @@ impl<S: Simd> Ramp<S> {
     }
 }
 
-/// Three channels in multiples of 1/256 level, as a [`Ramp`] has them.
+/// Three channels in multiples of 1/256 level, as a [`LinearRows`] has them.
 #[inline(always)]
 fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
     let [red, green, blue] =
@@ -93,7 +93,7 @@ fn paired<S: Simd>(levels: [f32x16<S>; 3]) -> [u32x16<S>; 2] {
     [(red << 16) + blue, green]
 }
 
-impl<S: Simd> Rows<S> for Ramp<S> {
+impl<S: Simd> Rows<S> for LinearRows<S> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
         let x = counted(self.columns[0].token(), 16 * part) + self.left;
@@ -115,7 +115,7 @@ impl<S: Simd> Rows<S> for Ramp<S> {
 }
 
 /// A biquadratic colour, and max(0, n.l) or s^rho of one light.
-pub struct Curve<S: Simd> {
+pub struct QuadraticRows<S: Simd> {
     color: SquareColor<f32>,
     /// In sixteen columns: by power of y.
     terms: [[f32x16<S>; 3]; 4],
@@ -130,7 +130,7 @@ pub struct Curve<S: Simd> {
     factors: [f32; 3],
 }
 
-impl<S: Simd> Curve<S> {
+impl<S: Simd> QuadraticRows<S> {
     /// `color` is in pixels from the square's middle.
     #[inline(always)]
     pub fn new(
@@ -144,7 +144,7 @@ impl<S: Simd> Curve<S> {
         for channel in &mut color[..FOURTH] {
             channel[0][0] += if fixed { BIAS } else { 0.0 };
         }
-        Curve {
+        QuadraticRows {
             color: four!(|channel| three!(|j| three!(|i| color[channel][j][i] as f32))),
             terms: [[f32x16::splat(simd, 0.0); 3]; 4],
             first: square.first().map(|first| first as f32),
@@ -185,7 +185,7 @@ impl<S: Simd> Curve<S> {
     }
 }
 
-impl<S: Simd> Rows<S> for Curve<S> {
+impl<S: Simd> Rows<S> for QuadraticRows<S> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
         let x = counted(self.terms[0][0].token(), 16 * part) + self.first[0];
@@ -220,7 +220,7 @@ impl<S: Simd> Rows<S> for Curve<S> {
 }
 
 /// Levels that are evaluated at every pixel, from its position on the square: x and y from -1 to 1.
-pub struct Pointwise<S: Simd, F> {
+pub struct EvaluatedRows<S: Simd, F> {
     evaluate: F,
     /// The square's first pixel from the middle of what is covered, in pixels, and the inverse half extents.
     first: [f32; 2],
@@ -228,10 +228,10 @@ pub struct Pointwise<S: Simd, F> {
     x: f32x16<S>,
 }
 
-impl<S: Simd, F> Pointwise<S, F> {
+impl<S: Simd, F> EvaluatedRows<S, F> {
     #[inline(always)]
     pub fn new(simd: S, square: &Square, evaluate: F) -> Self {
-        Pointwise {
+        EvaluatedRows {
             evaluate,
             first: square.first().map(|first| first as f32),
             scale: square.half().map(|half| (1.0 / half) as f32),
@@ -240,7 +240,7 @@ impl<S: Simd, F> Pointwise<S, F> {
     }
 }
 
-impl<S: Simd, F: Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> Rows<S> for Pointwise<S, F> {
+impl<S: Simd, F: Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> Rows<S> for EvaluatedRows<S, F> {
     #[inline(always)]
     fn go_to(&mut self, part: usize) {
         self.x = (counted(self.x.token(), 16 * part) + self.first[0]) * self.scale[0];

@@ -4,13 +4,13 @@ use fearless_simd::{Simd, f32x16};
 use glam::DVec3;
 
 use super::face::Face;
-use super::field::Extents;
 use super::gouraud::{Gouraud, GridSquares};
 use super::interpolation::Interpolant;
 use super::lanes::{LaneLayout, has};
+use super::listed::ListedPixels;
+use super::moving::Extents;
 use super::phong::{FaceLight, Phong};
-use super::pixels::Pixels;
-use super::rows::{Pointwise, Rows};
+use super::rows::{EvaluatedRows, Rows};
 use super::square::Square;
 use super::{Counts, SquareKind};
 use crate::shading::simd::{inlined, outlined, two};
@@ -39,7 +39,13 @@ impl Shader<'_> {
 
     /// Evaluates the listed pixels of the square at `index` of those prepared last: in f32 where that keeps the tolerance,
     /// else in f64.
-    pub fn evaluate<S: Simd>(&self, simd: S, square: &Square, index: usize, pixels: &mut Pixels) {
+    pub fn evaluate<S: Simd>(
+        &self,
+        simd: S,
+        square: &Square,
+        index: usize,
+        pixels: &mut ListedPixels,
+    ) {
         let in_f32 = self.in_f32(index);
         if in_f32 && let Some(levels) = self.look_up(simd, index) {
             outlined!(simd, pixels.evaluate(simd, square.half(), levels));
@@ -64,7 +70,7 @@ impl Shader<'_> {
             return None;
         }
         let levels = inlined!(move |xy| self.levels(simd, index, xy));
-        Some(Pointwise::new(simd, square, levels))
+        Some(EvaluatedRows::new(simd, square, levels))
     }
 
     /// The rows of a square that is covered all over and lies in several cells of a grid, if f32 suffices. In one function with
@@ -77,7 +83,7 @@ impl Shader<'_> {
         index: usize,
     ) -> Option<impl Rows<S>> {
         let levels = self.look_up(simd, index)?;
-        let rows = Pointwise::new(simd, square, levels);
+        let rows = EvaluatedRows::new(simd, square, levels);
         self.in_f32(index).then_some(rows)
     }
 
@@ -157,7 +163,7 @@ pub struct Scratch {
     pub lights: Vec<FaceLight>,
     /// For [`Gouraud`] with several segments.
     pub cells: GridSquares,
-    pub pixels: Pixels,
+    pub pixels: ListedPixels,
     pub counts: Counts,
     /// One bit a pixel of a strip: covered so far.
     pub covered: Vec<u64>,

@@ -32,7 +32,7 @@ use crate::systems::frame::{Band, DrawList, Frame, Piece};
 /// order of the file. If a face ties with two others that do not tie with each other, that order decides which is visible.
 const DEPTH_TIE: f64 = 1e-11;
 
-/// The nearness of the background: less than that of any surface.
+/// The depth key of the background: less than that of any surface.
 const FARTHEST: f64 = f64::MIN;
 
 /// Draws every cuboid into the frame in four steps. Lists the faces and their pixels, and sorts them into strips of the
@@ -90,7 +90,7 @@ fn compare<S: Simd>(
     }
     let lens = &list.rays.lens;
     for piece in list.strip(strip) {
-        let nearness = piece.plane.nearness(lens.projection);
+        let depth_key = piece.plane.depth_key(lens.projection);
         for (row, span) in list.spans(piece).within(rows) {
             let pixels = band.indices(row, &span);
             let ids = &mut band.triangles[pixels];
@@ -99,7 +99,7 @@ fn compare<S: Simd>(
                 let y = row as f64 + 0.5 - lens.middle[1];
                 let start = (row - rows.start) * band.width;
                 let depths = &mut scratch.depths[start + span.start..start + span.end];
-                write_nearest(simd, piece, &nearness, [x, y], depths, ids);
+                write_nearest(simd, piece, &depth_key, [x, y], depths, ids);
                 band.drawn[row - band.rows.start].drew(&span);
             } else {
                 ids.fill(piece.id);

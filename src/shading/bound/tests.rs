@@ -5,9 +5,9 @@
 use glam::DVec3;
 
 use super::*;
-use crate::shading::field::{Extents, MAX_RADIUS};
 use crate::shading::gloss::tests::gloss;
 use crate::shading::interpolation::NODE;
+use crate::shading::moving::{Extents, MAX_RADIUS};
 use crate::shading::simd::{Baseline, baseline};
 
 type Number = f64x4<Baseline>;
@@ -132,7 +132,7 @@ fn the_cosine_strays_no_further_than_its_bound() {
     for _ in 0..4000 {
         let [normal, light, _] = scene(&mut random);
         let extents = square(1.0);
-        let [n, l] = [normal, light].map(|vector| Field::new(&vector, &extents));
+        let [n, l] = [normal, light].map(|vector| MovingVector::new(&vector, &extents));
         if one(n.radius.max(l.radius)) < MAX_RADIUS {
             let bound = one(cosine_error(&n, &l));
             let cosine = |x, y| value(&normal, x, y).dot(value(&light, x, y));
@@ -151,7 +151,7 @@ fn a_highlight_strays_no_further_than_its_bound() {
         let [normal, light, eye] = scene(&mut random);
         let shininess = [0.0, 0.5, 1.0, 1.7, 2.0, 2.5, 3.0, 10.0, 76.8, 1000.0][index % 10];
         let extents = square(1.0);
-        let [n, l, o] = [normal, light, eye].map(|vector| Field::new(&vector, &extents));
+        let [n, l, o] = [normal, light, eye].map(|vector| MovingVector::new(&vector, &extents));
         if one(n.radius.max(l.radius).max(o.radius)) >= MAX_RADIUS {
             continue;
         }
@@ -181,14 +181,14 @@ fn a_highlight_strays_no_further_than_its_bound() {
         }
         let gloss = gloss(shininess, 0.5);
         let most = power(shininess as f32, range.most);
-        let fields = [&n, &l, &o];
-        let bound = one(highlight_error(&gloss, fields, range, most));
+        let vectors = [&n, &l, &o];
+        let bound = one(highlight_error(&gloss, vectors, range, most));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).max(0.0).powf(shininess), |power| power);
             ratios.push((error - 1e-14) / (bound + 1e-14));
         }
         let none = Number::splat(baseline(), 0.0);
-        let bound = one(logarithm_error(&gloss, fields, range, most, none));
+        let bound = one(logarithm_error(&gloss, vectors, range, most, none));
         if bound < 1.0 {
             let error = interpolation(|x, y| s(x, y).ln() * shininess, f64::exp);
             logarithms.push((error - 1e-14) / (bound + 1e-14));
@@ -289,7 +289,7 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
         centre: DVec3::Z,
         ..Affine::default()
     };
-    let resting = Field::new(&vector, &extents);
+    let resting = MovingVector::new(&vector, &extents);
     let mut moving = resting;
     moving.rates[0] = [number(0.1); 2];
     // The chord is bounded by the least s alone.
@@ -298,16 +298,16 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
         least: number(0.5),
         sine: number(0.75_f64.sqrt()),
     };
-    let (fields, half) = ([&resting, &moving, &resting], number(0.5));
+    let (vectors, half) = ([&resting, &moving, &resting], number(0.5));
     // For rho = 3/2 both of the last two terms count: b = 9/2 sin, d = 3/2 sin^3.
-    let found = highlight_error(&gloss(1.5, 0.5), fields, range, half);
+    let found = highlight_error(&gloss(1.5, 0.5), vectors, range, half);
     let (sin, e1_e2) = (0.75_f64.sqrt(), 0.002 / 3.0_f64.sqrt());
     let b = 4.5 * sin;
     let third = 1.5 * (3.0 * e1_e2 + 0.003) + b * e1_e2 + (b + 1.5 * sin.powi(3)) * 0.001;
     assert!((one(found) / third * 24.0 - 1.0).abs() < 1e-6);
 
     let gloss = gloss(1.0, 0.5);
-    let found = highlight_error(&gloss, fields, range, half);
+    let found = highlight_error(&gloss, vectors, range, half);
     let third = 0.3 * 0.02 / 3.0_f64.sqrt() + 0.003;
     assert!((one(found) / third * 24.0 - 1.0).abs() < 1e-6);
 
@@ -316,7 +316,7 @@ fn the_error_of_a_linear_highlight_is_the_one_on_paper() {
     let third = 2.0 * third + 6.0 * tan * (0.002 / tan + 0.001) + 2.0 * tan.powi(3) * 0.001;
     let sample = (2.0 + EXPONENT_ERROR / 2.0) * 2.0 * U * AMPLIFICATION;
     let expected = third / 24.0 + sample;
-    let found = one(logarithm_error(&gloss, fields, range, half, half * 0.0));
+    let found = one(logarithm_error(&gloss, vectors, range, half, half * 0.0));
     assert!((found / (0.5 * expected / (1.0 - expected)) - 1.0).abs() < 1e-9);
 }
 
@@ -356,17 +356,17 @@ fn a_logarithm_has_no_bound_where_s_may_be_small_or_the_error_large() {
         centre: DVec3::Z,
         ..Affine::default()
     };
-    let resting = Field::new(&vector, &extents);
+    let resting = MovingVector::new(&vector, &extents);
     let found = |least: f64, rounding: f64| {
         let range = Reflection {
             most: number(1.0),
             least: number(least),
             sine: number((1.0 - least * least).sqrt()),
         };
-        let fields = [&resting; 3];
+        let vectors = [&resting; 3];
         let error = logarithm_error(
             &gloss(76.8, 0.5),
-            fields,
+            vectors,
             range,
             number(1.0),
             number(rounding),
@@ -383,19 +383,20 @@ fn a_logarithm_has_no_bound_where_s_may_be_small_or_the_error_large() {
 fn the_motion_of_a_vector_does_not_depend_on_its_scale() {
     // At 2^-283 the square of the area of two steps is below the smallest f64.
     let extents = square(1.0);
-    let field = |scale: f64| {
+    let moving = |scale: f64| {
         let vector = Affine {
             centre: DVec3::new(0.0, 0.0, 2.0) * scale,
             dx: DVec3::new(0.05, 0.0, 0.25) * scale,
             dy: DVec3::new(0.0, 0.05, 0.25) * scale,
         };
-        Field::new(&vector, &extents)
+        MovingVector::new(&vector, &extents)
     };
     for scale in [2.0_f64.powi(-283), 2.0_f64.powi(283)] {
-        let [one, other] = [field(1.0), field(scale)];
+        let [one, other] = [moving(1.0), moving(scale)];
         assert_eq!(one.radius.as_array(), other.radius.as_array());
-        let rates =
-            |field: Field<Baseline>| field.rates.map(|axis| axis.map(|rate| *rate.as_array()));
+        let rates = |vector: MovingVector<Baseline>| {
+            vector.rates.map(|axis| axis.map(|rate| *rate.as_array()))
+        };
         assert_eq!(rates(one), rates(other), "{scale:e}");
     }
 }

@@ -93,9 +93,9 @@ fn judge(
     let kind = interpolant.kinds[2];
     if kind.is_some() {
         let square = Square::whole([96, 64], side);
-        match interpolant.ramp(simd, 2, &square) {
+        match interpolant.linear_rows(simd, 2, &square) {
             Some(mut ramp) => judge.draw(&mut ramp),
-            None => judge.draw(&mut interpolant.curve(simd, 2, &square)),
+            None => judge.draw(&mut interpolant.quadratic_rows(simd, 2, &square)),
         }
     }
     let form = [interpolant.linear, interpolant.fixed].map(|squares| has(squares, 2));

@@ -63,8 +63,8 @@ pub(crate) struct Piece {
     pub corners: [DVec3; 4],
     /// The index of its grid, if it is shaded with one.
     pub grid: Option<u32>,
-    /// The least and the largest nearness on the visible part of the face. Samples are clamped to it: snapping may put
-    /// one just outside an edge-on face, where the nearness of its plane is far off.
+    /// The least and the largest depth_key on the visible part of the face. Samples are clamped to it: snapping may put
+    /// one just outside an edge-on face, where the depth_key of its plane is far off.
     pub range: [f64; 2],
 }
 

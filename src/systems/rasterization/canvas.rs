@@ -11,7 +11,7 @@ use glam::DVec3;
 use crate::components::TriangleId;
 use crate::shading::display::display_pixel;
 use crate::shading::face::Face;
-use crate::shading::pixels::Pixels;
+use crate::shading::listed::ListedPixels;
 use crate::shading::rows::Rows;
 use crate::shading::simd::three;
 use crate::shading::square::{MAX_SIDE, Spans, Square};
@@ -27,7 +27,7 @@ pub struct Canvas<'a, 'b> {
     /// In levels.
     pub tolerance: f64,
     /// The pixels of a square that are evaluated one by one.
-    pub listed: &'a mut Pixels,
+    pub listed: &'a mut ListedPixels,
     /// The counts of the thread.
     pub counts: &'a mut Counts,
 }

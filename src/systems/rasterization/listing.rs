@@ -99,7 +99,7 @@ impl DrawList {
         }
     }
 
-    /// The least and the largest nearness of corners at these depths.
+    /// The least and the largest depth key of corners at these depths.
     fn range(&self, depths: [f64; 4]) -> [f64; 2] {
         let farthest = depths.into_iter().fold(f64::MIN, f64::max);
         let nearest = depths.into_iter().fold(f64::MAX, f64::min);

@@ -8,8 +8,8 @@ use fearless_simd::{Level, Simd};
 use super::canvas::Canvas;
 use crate::components::ShadingMode;
 use crate::shading::face::Face;
-use crate::shading::field::Extents;
 use crate::shading::gouraud::{Gouraud, GridSquares, Source};
+use crate::shading::moving::Extents;
 use crate::shading::phong::{FaceLight, Phong};
 use crate::shading::simd::{dispatch, four, outlined};
 use crate::shading::square::{MAX_SIDE, MIN_SIDE, Square};
@@ -152,10 +152,10 @@ impl Canvas<'_, '_> {
                 && let Some(kind) = interpolant.kinds[index]
             {
                 outlined!(simd, {
-                    if let Some(mut ramp) = interpolant.ramp(simd, index, square) {
+                    if let Some(mut ramp) = interpolant.linear_rows(simd, index, square) {
                         self.draw(simd, square, seen, &mut ramp);
                     } else {
-                        let mut curve = interpolant.curve(simd, index, square);
+                        let mut curve = interpolant.quadratic_rows(simd, index, square);
                         self.draw(simd, square, seen, &mut curve);
                     }
                 });

@@ -16,8 +16,8 @@ use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{
     self, cosine_error, facing, highlight_error, logarithm_error, reflection,
 };
-use shadetrade::shading::field::{Extents, Field, MAX_RADIUS};
 use shadetrade::shading::gloss::Gloss;
+use shadetrade::shading::moving::{Extents, MAX_RADIUS, MovingVector};
 use shadetrade::shading::simd::{Baseline, baseline};
 
 use crate::support::cases::cases;
@@ -108,10 +108,10 @@ fn vectors(random: &mut Random) -> [Affine; 3] {
 }
 
 /// The vector on the square, unless it moves too far for bounds.
-fn field(vector: &Affine) -> Option<Field<Baseline>> {
+fn field(vector: &Affine) -> Option<MovingVector<Baseline>> {
     let simd = baseline();
     let [middle, half] = [0.0, 1.0].map(|number| [f64x4::splat(simd, number); 2]);
-    let field = Field::new(vector, &Extents { middle, half });
+    let field = MovingVector::new(vector, &Extents { middle, half });
     (field.radius.as_array()[0] < MAX_RADIUS).then_some(field)
 }
 

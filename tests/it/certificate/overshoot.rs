@@ -7,9 +7,9 @@ use proptest::prelude::*;
 use shadetrade::components::{Illumination, Lens, PointLight, Projection, WorldTransform};
 use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Plane, Rays};
-use shadetrade::shading::field::Extents;
 use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::gouraud::{Gouraud, Source};
+use shadetrade::shading::moving::Extents;
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::simd::baseline;
 

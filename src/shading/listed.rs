@@ -15,7 +15,7 @@ const MOST: usize = MAX_SIDE * MAX_SIDE + 16;
 
 /// Pixels of one square in a band.
 #[derive(Debug)]
-pub struct Pixels {
+pub struct ListedPixels {
     pub count: usize,
     /// Right and down from the square's middle, in pixels.
     offsets: [[f32; MOST]; 2],
@@ -27,9 +27,9 @@ pub struct Pixels {
     marked: bool,
 }
 
-impl Default for Pixels {
+impl Default for ListedPixels {
     fn default() -> Self {
-        Pixels {
+        ListedPixels {
             count: 0,
             offsets: [[0.0; MOST]; 2],
             indices: [0; MOST],
@@ -39,7 +39,7 @@ impl Default for Pixels {
     }
 }
 
-impl Pixels {
+impl ListedPixels {
     /// Adds at most sixteen pixels side by side. The first is at `x`, `y` from the square's middle, and has this index. If
     /// pixels were added one by one, frames at tolerance 0 would take 15 to 25 % more instructions, and 10,000 small
     /// cuboids 7 % more time.

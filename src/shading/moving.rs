@@ -67,7 +67,7 @@ impl<S: Simd> Extents<S> {
 
 /// A vector on squares.
 #[derive(Clone, Copy)]
-pub struct Field<S: Simd> {
+pub struct MovingVector<S: Simd> {
     /// Scaled to length one at the middle of each square.
     pub vector: Affine<[f64x4<S>; 3]>,
     /// How far it moves from its value at the middle, at most.
@@ -80,7 +80,7 @@ pub struct Field<S: Simd> {
     pub rates: [[f64x4<S>; 2]; 2],
 }
 
-impl<S: Simd> Field<S> {
+impl<S: Simd> MovingVector<S> {
     /// Its direction is not bounded where the square of its length exceeds the range of f64.
     #[inline(always)]
     pub fn new(vector: &Affine, extents: &Extents<S>) -> Self {
@@ -118,7 +118,7 @@ impl<S: Simd> Field<S> {
             let p = (across + parallelogram) * inverse * inverse;
             [p.min(q), q]
         });
-        Field {
+        MovingVector {
             vector: Affine::new(middle, right, down),
             radius,
             // The tangent of the angle is the part perpendicular to V at the middle over the part along it, and the angle is at
