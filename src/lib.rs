@@ -120,8 +120,8 @@
 //! outwards, the reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@questions::prove`] compares the
 //! drawn picture with that. Under Phong it encloses most pixels in squares of 16 to 4 pixels a side, `reference/square.rs`: nine
 //! enclosed samples, the biquadratic through them, and a bound on its error at every real position of the square, all in
-//! intervals. A pixel that its square's enclosure does not prove is enclosed by itself. In the window the
-//! proof follows the picture while that moves.
+//! intervals. A pixel that its square's enclosure does not prove is enclosed by itself. In the window
+//! proofs follow the picture while it moves, if one takes less than 0.3 s.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};

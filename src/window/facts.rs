@@ -133,13 +133,12 @@ pub enum Question {
     MeasureLonger,
 }
 
-/// The threads that answer questions; one core is left for the window.
+/// The threads that answer questions, one a core: the window draws for a small part of the time.
 ///
 /// # Errors
 /// If the system gives no threads.
 pub fn pool() -> anyhow::Result<ThreadPool> {
-    let threads = (all_cores() - 1).max(1);
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = ThreadPoolBuilder::new().num_threads(all_cores()).build();
     pool.context("cannot start the threads that compare and prove")
 }
 
@@ -149,6 +148,9 @@ type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
 /// The work on a question. It is cancelled when it is dropped, and ends within a row of the picture or a frame.
 pub struct Work {
     pub question: Question,
+    pub begun: Instant,
+    /// Whether the picture has changed since.
+    pub is_late: bool,
     pub answer: Receiver<Answer>,
     /// The present step, and the share of it that is done, 0..=1.
     progress: Arc<Mutex<(&'static str, f64)>>,
@@ -205,6 +207,8 @@ impl Work {
         }
         Work {
             question,
+            begun: Instant::now(),
+            is_late: false,
             answer,
             progress,
             rest,

@@ -197,7 +197,7 @@ impl App {
     /// Lays out how far the picture, or the side of a wipe that errs more, is off, and whether it is proven to be drawn right.
     /// Returns whether the error was clicked.
     fn result(&self, ui: &mut Ui) -> bool {
-        let (shown, study) = (self.method(), &self.study);
+        let shown = self.method();
         let worst = self.worst();
         let side = sides(&self.viewer())[worst.map_or(0, |it| it.0)];
         let method = side_method(&side, shown);
@@ -213,31 +213,49 @@ impl App {
             None => ui.weak("The error is being measured.").clicked(),
         };
         // The proof is one of the picture that was drawn.
-        if method == shown {
-            let own = method.map_or("it".to_owned(), |it| capital(it.mode.name()));
-            let proof = study.facts.proof.current().filter(|_| self.is_drawn());
-            let (text, ink) = match proof {
-                Some(it) if it.proven == it.pixels as u64 => {
-                    let text = format!("Every pixel is drawn as {own} should be: proven.");
-                    (text, GOOD)
-                }
-                Some(it) => {
-                    let share = format!("{} of {} pixels", it.proven, it.pixels);
-                    (
-                        format!("{share} are proven to be drawn as {own} should be."),
-                        BAD,
-                    )
-                }
-                // There is no proof if there was too little memory for it.
-                None if study.facts.proof.is_current && self.is_drawn() => {
-                    ("It is not proven.".to_owned(), Color32::GRAY)
-                }
-                None if study.is_live() => ("It is being proven.".to_owned(), Color32::GRAY),
-                None => return is_clicked,
-            };
+        if method == shown
+            && let Some((text, ink)) = self.proof_says()
+        {
             ui.colored_label(ink, text).on_hover_text(about("proven"));
         }
         is_clicked
+    }
+
+    /// The sentence about the proof, and its colour. While things move, it is about the last proof, and stays the same for several
+    /// pictures, so that it can be read.
+    fn proof_says(&self) -> Option<(String, Color32)> {
+        let (study, proof) = (&self.study, &self.study.facts.proof);
+        let moves = !(self.canvas.rests() && self.is_drawn());
+        let known = if moves {
+            study.last_proof()
+        } else {
+            proof.current()
+        };
+        let Some(it) = known else {
+            let text = if !moves && proof.is_current {
+                // There was too little memory.
+                "It is not proven."
+            } else if !study.is_live() {
+                return None;
+            } else if moves && !study.follows() {
+                "It is proven once nothing moves."
+            } else {
+                "It is being proven."
+            };
+            return Some((text.to_owned(), Color32::GRAY));
+        };
+        let own = self.method().map(|it| capital(it.mode.name()));
+        let own = own.as_deref().unwrap_or("it");
+        let (share, ink) = match it.pixels as u64 - it.proven {
+            0 => ("every pixel".to_owned(), GOOD),
+            _ => (format!("{} of {} pixels", it.proven, it.pixels), BAD),
+        };
+        let text = match (moves, ink == GOOD) {
+            (true, _) => format!("The last proof held for {share}."),
+            (false, true) => format!("Every pixel is drawn as {own} should be: proven."),
+            (false, false) => format!("{share} are proven to be drawn as {own} should be."),
+        };
+        Some((text, ink))
     }
 }
 

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use rayon::ThreadPool;
+use web_time::Instant;
 
 use super::comparison::Comparison;
 use super::desk::Desk;
@@ -16,9 +17,9 @@ use super::inspector::Tab;
 use super::pictures::{side_method, sides, view_at};
 use crate::components::{Camera, Side, View, ViewMode, Viewer, active_camera, alike};
 use crate::output::Monitor;
-use crate::questions::job::{Drawing, all_cores};
+use crate::questions::job::Drawing;
 use crate::questions::probe;
-use crate::questions::prove::prove;
+use crate::questions::prove::{Proof, prove};
 use crate::questions::requires::segments::fewest_segments;
 use crate::questions::requires::{more_changes, picture_without};
 use crate::questions::trade::batch::time_here;
@@ -30,6 +31,8 @@ use crate::systems::frame::Workers;
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
+/// While things move a proof is told of for this time, and one that takes longer is given up.
+pub const RECENT: Duration = Duration::from_millis(300);
 /// The parts of the model that are left out, or the values of a number that are drawn, between two looks at the result.
 const FEW: usize = 4;
 /// How long the frames of all methods are timed together, first and at most.
@@ -109,6 +112,10 @@ pub struct Study {
     /// For [`Background::Threads`].
     pool: Option<ThreadPool>,
     pub work: Option<Work>,
+    /// When the last proof ended.
+    proven: Option<Instant>,
+    /// Whether that, or one given up since, took longer than [`RECENT`].
+    is_slow: bool,
     next_progress: Duration,
     /// The reason why a question has no answer, until it is taken.
     failure: Option<String>,
@@ -124,6 +131,8 @@ impl Study {
             background,
             pool: has_threads.then(pool).transpose()?,
             work: None,
+            proven: None,
+            is_slow: false,
             next_progress: Duration::ZERO,
             failure: None,
         })
@@ -133,6 +142,7 @@ impl Study {
     pub fn clear(&mut self) {
         self.facts = Facts::default();
         self.work = None;
+        self.is_slow = false;
     }
 
     /// Whether questions are answered between steps.
@@ -140,7 +150,19 @@ impl Study {
         self.background != Background::AtOnce
     }
 
-    /// Outdates the facts that a change touches, and stops the work on them. `pixel` is the explained one.
+    /// Whether pictures are proven while they move.
+    pub fn follows(&self) -> bool {
+        self.pool.is_some() && !self.is_slow
+    }
+
+    /// The last proof, for a short time; it may be one of an earlier picture.
+    pub fn last_proof(&self) -> Option<&Proof> {
+        let is_recent = self.proven.is_some_and(|it| it.elapsed() < RECENT);
+        self.facts.proof.value.as_ref().filter(|_| is_recent)
+    }
+
+    /// Outdates the facts that a change touches, and stops the work on them; a proof goes on if it is quick. `pixel` is the
+    /// explained one.
     pub fn outdate(&mut self, change: Change, pixel: Option<[usize; 2]>) {
         match change {
             Change::Nothing => {}
@@ -151,7 +173,13 @@ impl Study {
                 self.facts.section.is_current = false;
             }
             Change::Method | Change::Scene => {
-                self.work = None;
+                let proof = self.work.take_if(|it| it.question == Question::Prove);
+                let is_slow = |it: &Work| it.begun.elapsed() > RECENT;
+                self.is_slow |= proof.as_ref().is_some_and(is_slow);
+                self.work = proof.filter(|_| self.follows());
+                if let Some(work) = &mut self.work {
+                    work.is_late = true;
+                }
                 self.facts.outdate(change == Change::Method);
             }
         }
@@ -313,8 +341,7 @@ impl Study {
     }
 
     /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
-    /// answered. Even while things move a pixel is probed, which takes little time, and on a core that is left the picture is
-    /// proven: that work stops before the next frame is drawn.
+    /// answered. Even while things move a pixel is probed, which takes little time, and the picture is proven, if that follows.
     fn find<T: Send + 'static>(
         &mut self,
         subject: &Subject,
@@ -336,7 +363,7 @@ impl Study {
         let is_next = work.is_none_or(|work| question < work.question);
         let follows = match question {
             Question::Probe => true,
-            Question::Prove => self.pool.is_some() && all_cores() > 1,
+            Question::Prove => self.follows(),
             _ => false,
         };
         let is_due = follows || !self.is_live() || subject.rests;
@@ -371,12 +398,17 @@ impl Study {
 
     /// Takes the answer that was found. Returns whether there was one.
     fn take_answer(&mut self) -> bool {
-        let work = self.work.as_ref();
-        let Some(Ok(answer)) = work.map(|work| work.answer.try_recv()) else {
+        let answer = |work: &Work| work.answer.try_recv().ok();
+        let Some(answer) = self.work.as_ref().and_then(answer) else {
             return false;
         };
-        self.work = None;
         self.failure = answer(&mut self.facts).or(self.failure.take());
+        if let Some(work) = self.work.take_if(|it| it.question == Question::Prove) {
+            self.facts.proof.is_current &= !work.is_late;
+            self.is_slow = work.begun.elapsed() > RECENT;
+            self.proven = Some(Instant::now());
+        }
+        self.work = None;
         true
     }
 

@@ -9,7 +9,6 @@ use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, View, common_mode};
 use shadetrade::output::Monitor;
-use shadetrade::questions::job::all_cores;
 use shadetrade::questions::requires::without;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::{Keep, Workers};
@@ -18,7 +17,7 @@ use shadetrade::window::canvas::REST;
 use shadetrade::window::desk::{Desk, reading_time};
 use shadetrade::window::facts::{Question, Work, pool};
 use shadetrade::window::inspector::Tab;
-use shadetrade::window::study::{Background, Change, Study, Subject};
+use shadetrade::window::study::{Background, Change, RECENT, Study, Subject};
 
 use super::files::on_file;
 use super::{PAUSE, Window, press};
@@ -267,13 +266,12 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
         let mut study = live();
         ask(&mut study, is_probed, false, &desk);
         let question = study.work.as_ref().map(|work| work.question);
-        // A proof needs a core of its own.
-        let expected = [
-            (is_probed, Question::Probe),
-            (all_cores() > 1, Question::Prove),
-        ];
-        let expected = expected.into_iter().find(|(is_asked, _)| *is_asked);
-        assert_eq!(question, expected.map(|(_, it)| it), "things move");
+        let expected = if is_probed {
+            Question::Probe
+        } else {
+            Question::Prove
+        };
+        assert_eq!(question, Some(expected), "things move");
     }
     let changes: [(_, fn(&mut Study), _); 4] = [
         (true, |it| it.outdate(Change::Pixel, None), false),
@@ -293,6 +291,35 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     ask(&mut study, true, true, &desk);
     study.outdate(Change::Pixel, None);
     assert!(!works(study), "the pixel stopped the proof");
+}
+
+#[test]
+fn a_proof_goes_on_while_things_move_unless_it_is_slow() {
+    let begin = || {
+        let mut study = live();
+        ask(&mut study, false, false, &Desk::default());
+        study
+    };
+    let mut study = begin();
+    study.outdate(Change::Scene, None);
+    while study.last_proof().is_none() {
+        std::thread::yield_now();
+        study.receive(Duration::ZERO);
+    }
+    assert!(
+        study.facts.proof.current().is_none(),
+        "that of the picture before"
+    );
+    ask(&mut study, false, true, &Desk::default());
+    let question = study.work.as_ref().map(|work| work.question);
+    assert_eq!(question, Some(Question::Compare), "once nothing moves");
+
+    let mut study = begin();
+    let work = study.work.as_mut().expect("a proof");
+    work.begun -= 2 * RECENT;
+    study.outdate(Change::Scene, None);
+    ask(&mut study, false, false, &Desk::default());
+    assert!(study.work.is_none(), "it is given up");
 }
 
 #[test]
