@@ -8,10 +8,13 @@ pub fn in_file_order<Q: Query, T>(
     value: impl for<'a> Fn(Q::Item<'a>) -> T,
 ) -> Vec<T> {
     let mut query = world.query::<(&FileOrder, Q)>();
-    let with_order = query.iter().map(|(order, item)| (*order, value(item)));
-    let mut sorted: Vec<_> = with_order.collect();
-    sorted.sort_by_key(|(order, _)| *order);
-    sorted.into_iter().map(|(_, value)| value).collect()
+    let with_order = query.iter().map(|(order, it)| (*order, Some(value(it))));
+    let mut values: Vec<_> = with_order.collect();
+    // Places are sorted in place of values, so that one sort is compiled for all types.
+    let mut places: Vec<_> = values.iter().map(|it| it.0).zip(0_usize..).collect();
+    places.sort_unstable();
+    let sorted = places.into_iter();
+    sorted.filter_map(|it| values[it.1].1.take()).collect()
 }
 
 /// The entities that have a component, in file order.

@@ -12,6 +12,7 @@ use fearless_simd::Level;
 use hecs::World;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
+use toml::Table;
 
 use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names, viewer_mut};
 use crate::output::Monitor;
@@ -112,16 +113,17 @@ pub struct Outcome {
 /// If the index, which is built in, is wrong.
 pub fn table() -> Vec<Extreme> {
     let index = include_str!("../../assets/extremes/index.toml");
-    let mut index: BTreeMap<&str, Extreme> = toml::from_str(index).expect("the index is right");
+    let read = index.parse().and_then(Table::try_into);
+    let mut left: BTreeMap<String, Extreme> = read.expect("the index is right");
     let names = EXTREMES
         .iter()
         .map(|(path, _)| path.trim_start_matches(FOLDER));
     let scenes = names.map(|name| Extreme {
         name,
-        ..index.remove(name).unwrap_or_default()
+        ..left.remove(name).unwrap_or_default()
     });
     let scenes = scenes.collect();
-    assert!(index.is_empty(), "the index names scenes that do not exist");
+    assert!(left.is_empty(), "the index names scenes that do not exist");
     scenes
 }
 

@@ -52,14 +52,6 @@ pub fn span(text: &str, kind: &str, index: usize, keys: &[impl AsRef<str>]) -> R
     span.unwrap_or_default()
 }
 
-/// Whether a table of a text has a key.
-pub fn has(text: &str, table: &str, key: &str) -> bool {
-    DeTable::parse(text).is_ok_and(|document| {
-        let table = document.get_ref().get(table);
-        table.is_some_and(|table| table.get_ref().get(key).is_some())
-    })
-}
-
 /// Refuses the value `found` at a key unless it is legal.
 fn require(
     is_legal: bool,
@@ -86,11 +78,8 @@ impl SceneRecord {
         let cuboids: Vec<&str> = self.cuboid.iter().map(|it| &*it.name).collect();
         let lights: Vec<&str> = self.light.iter().map(|it| &*it.name).collect();
         let cameras: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
-        for (kind, names) in [
-            ("cuboid", &cuboids),
-            ("light", &lights),
-            ("camera", &cameras),
-        ] {
+        let kinds = ["cuboid", "light", "camera"].into_iter();
+        for (kind, names) in kinds.zip([&cuboids, &lights, &cameras]) {
             let is_enough = kind == "light" || !names.is_empty();
             let expected = format!("one or more tables, each headed `[[{kind}]]`");
             require(is_enough, "", names.len(), &expected).map_err(at(kind, 0))?;

@@ -10,6 +10,9 @@
 use std::ops::Range;
 
 use serde::de::DeserializeOwned;
+use serde_path_to_error::{Path, Segment};
+use toml::de::{DeTable, DeValue};
+use toml::{Spanned, Value};
 
 use super::large;
 
@@ -18,7 +21,7 @@ const TYPES: [(&str, &str); 7] = [
     ("expected f64", "expected a number"),
     ("expected u32", "expected a whole number from 0"),
     ("expected usize", "expected a whole number from 0"),
-    ("wanted string or table", "invalid type, expected a string"),
+    ("unit variant, expected string only", "expected a string"),
     ("expected a sequence", "expected an array"),
     ("type: floating point", "type: number"),
     ("type: map", "type: table"),
@@ -37,33 +40,63 @@ const WIDEST_MESSAGE: usize = 400;
 /// # Errors
 /// The bytes of the mistake, and the message.
 pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, (Range<usize>, String)> {
-    let located = |key: String, span: Range<usize>, error: &toml::de::Error| {
+    let located = |key: String, span: Range<usize>, why: String| {
         let found = text.get(span.clone()).unwrap_or_default();
         let message = match found {
             "[cuboid]" | "[light]" | "[camera]" | "[step]" => {
                 format!("{found} is one of several tables, expected [{found}]")
             }
-            // serde takes it for a map.
             date if date.starts_with(|it: char| it.is_ascii_digit()) => {
-                key + &in_words(error.message()).replace("type: table", "type: date")
+                key + &why.replace("type: table", "type: date")
             }
-            _ => key + &in_words(error.message()),
+            _ => key + &why,
         };
         (span, message)
     };
-    let readable = large::as_floats(text);
-    let document = toml::Deserializer::parse(&readable).map_err(|error| {
+    let document = DeTable::parse(text).map_err(|error| {
         let span = error.span().unwrap_or_else(|| deepest_key(text));
-        located(String::new(), span, &error)
+        located(String::new(), span, in_words(error.message()))
     })?;
-    serde_path_to_error::deserialize(document).map_err(|error| {
-        let key = match error.path().to_string() {
+    let document = Spanned::new(0..0, DeValue::Table(document.into_inner()));
+    from_value(large::value(&document)).map_err(|(path, why)| {
+        let key = match path.to_string() {
             root if root == "." => String::new(),
             key => format!("`{key}`: "),
         };
-        let error = error.into_inner();
-        located(key, error.span().unwrap_or_default(), &error)
+        located(key, span(&document, &path, &why), why)
     })
+}
+
+/// Reads a value.
+///
+/// # Errors
+/// The path of the mistake, and the message.
+pub fn from_value<T: DeserializeOwned>(value: Value) -> Result<T, (Path, String)> {
+    serde_path_to_error::deserialize(value)
+        .map_err(|error| (error.path().clone(), in_words(error.inner().message())))
+}
+
+/// The bytes of an unknown key, of the whole array that has an illegal element, or else of the value at the path.
+fn span(document: &Spanned<DeValue>, path: &Path, why: &str) -> Range<usize> {
+    let (mut key, mut value, mut element) = (0..0, document, document);
+    for segment in path {
+        match (segment, element.get_ref()) {
+            (Segment::Map { key: name }, DeValue::Table(table)) => {
+                if let Some((own, below)) = table.get_key_value(&**name) {
+                    (key, value, element) = (own.span(), below, below);
+                }
+            }
+            (Segment::Seq { index }, _) => {
+                element = element.get_ref().get(*index).unwrap_or(element);
+            }
+            _ => {}
+        }
+    }
+    match why.split(' ').collect::<Vec<_>>()[..] {
+        ["unknown", "field", ..] => key,
+        ["invalid", "value:", ..] => value.span(),
+        _ => element.span(),
+    }
 }
 
 /// The line with the most dots. The parser does not say where a key of too many parts is.

@@ -11,10 +11,10 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use anyhow::{anyhow, bail};
-use serde::Deserialize;
+use serde::Serialize;
 use toml::{Table, Value};
 
-use super::error::in_words;
+use super::error::from_value;
 use super::record::SceneRecord;
 use super::{BUILT_IN, listed};
 
@@ -129,8 +129,7 @@ impl Key {
     pub fn write(&self, record: &mut SceneRecord, value: Value) -> anyhow::Result<()> {
         let mut scene = tree(record);
         *self.find(&mut scene)? = value;
-        let refused = |error: toml::de::Error| anyhow!("`{self}`: {}", in_words(error.message()));
-        *record = SceneRecord::deserialize(scene).map_err(refused)?;
+        *record = from_value(scene).map_err(|(_, why)| anyhow!("`{self}`: {why}"))?;
         Ok(())
     }
 
@@ -170,15 +169,13 @@ impl Key {
             let parent = Key(self.0[..depth].to_vec());
             let names = parent.names(value);
             let Some(place) = names.iter().position(|it| it == part) else {
-                let owner = if depth == 0 {
-                    "a scene".to_owned()
-                } else {
-                    parent.to_string()
+                let owner = match depth {
+                    0 => "a scene".to_owned(),
+                    _ => parent.to_string(),
                 };
-                let content = if names.is_empty() {
-                    "nothing below it".to_owned()
-                } else {
-                    listed(&names)
+                let content = match &names[..] {
+                    [] => "nothing below it".to_owned(),
+                    names => listed(names),
                 };
                 bail!("there is no key {self}; {owner} has {content}");
             };
@@ -193,7 +190,7 @@ impl Key {
     }
 
     /// The parts that may follow this key, which has this value.
-    fn names(&self, value: &Value) -> Vec<String> {
+    pub fn names(&self, value: &Value) -> Vec<String> {
         match value {
             Value::Array(all) if self.is_list() => {
                 let name = |entity: &Value| entity["name"].as_str().map(str::to_owned);
@@ -205,11 +202,8 @@ impl Key {
                     "sides" => ["left", "right", ""],
                     _ => ["x", "y", "z"],
                 };
-                names
-                    .into_iter()
-                    .take(all.len())
-                    .map(str::to_owned)
-                    .collect()
+                let own = names.into_iter().take(all.len());
+                own.map(str::to_owned).collect()
             }
             Value::Table(table) => {
                 let own = self.without_name();
@@ -229,16 +223,11 @@ impl Key {
 
     /// The key as in [`COMMENTS`].
     fn without_name(&self) -> String {
-        let is_name = |place| place == 1 && Key(self.0[..1].to_vec()).is_list();
-        let parts = self
-            .0
-            .iter()
-            .enumerate()
-            .filter(|(place, _)| !is_name(*place));
-        parts
-            .map(|(_, part)| &**part)
-            .collect::<Vec<&str>>()
-            .join(".")
+        let mut parts = self.0.clone();
+        if parts.len() > 1 && KINDS.contains(&&*parts[0]) {
+            parts.remove(1);
+        }
+        parts.join(".")
     }
 
     /// Adds the keys of the values that differ: itself, or those below.
@@ -263,9 +252,7 @@ impl Key {
 
     /// The values below this key, which has this value.
     fn children<'a>(&self, value: Option<&'a Value>) -> Vec<(String, &'a Value)> {
-        let names = value
-            .map_or_else(Vec::new, |value| self.names(value))
-            .into_iter();
+        let names = value.into_iter().flat_map(|it| self.names(it));
         match value {
             Some(Value::Array(all)) => names.zip(all).collect(),
             Some(Value::Table(table)) => names
@@ -283,9 +270,12 @@ pub fn differences(before: &SceneRecord, after: &SceneRecord) -> Vec<Key> {
     found
 }
 
-/// A record as TOML.
-fn tree(record: &SceneRecord) -> Value {
-    Value::try_from(record).expect("a record has only what TOML has")
+/// A record or a part of it as TOML.
+///
+/// # Panics
+/// Never: TOML has all that a record has.
+pub fn tree(part: &impl Serialize) -> Value {
+    Value::try_from(part).expect("TOML has all that a record has")
 }
 
 /// The comments behind the keys of a scene's text, also behind those that are comments themselves.

@@ -1,45 +1,57 @@
-//! Whole numbers of any size. The readers of TOML take at most 64 bits, so longer ones are written for them in another form.
+//! Whole numbers of any size. TOML's have at most 64 bits: longer ones are read as floats, and written as they were.
 //!
 //! ```text
 //! intensity = 100000000000000000000      as in the file
-//! intensity = 10000000000000000e004      to be read: the same place and length
 //! intensity = "?100000000000000000000"   to be edited, and back; "? is MARK
 //! ```
 
-use std::borrow::Cow;
+use std::collections::HashMap;
 use std::ops::Range;
 
-use toml::Spanned;
-use toml::de::{DeInteger, DeTable, DeValue};
+use toml::de::{DeInteger, DeString, DeTable, DeValue};
+use toml::{Spanned, Value};
 
 /// The beginning of a text that stands for a number. The character is for private use.
 const MARK: &str = "\"\u{e000}";
 
-/// The text with its large whole numbers as floats of the same length, so that places in it are those in the text.
-pub fn as_floats(text: &str) -> Cow<'_, str> {
-    rewritten(text, |token, value| {
-        let width = token.len();
-        if value.is_infinite() {
-            return format!("{value:<width$}");
+/// A value as read from a text. No key has a date, which is a table here: every type refuses it.
+pub fn value(read: &Spanned<DeValue>) -> Value {
+    match read.get_ref() {
+        DeValue::String(text) => Value::from(&**text),
+        DeValue::Integer(integer) => {
+            whole(integer).map_or_else(|| Value::Float(nearest(integer)), Value::Integer)
         }
-        // Seventeen digits are those of no other float.
-        let scientific = format!("{value:.16e}").replace('.', "");
-        let (digits, exponent) = scientific.split_once('e').unwrap_or_default();
-        let exponent = exponent.parse().unwrap_or(0) - 16;
-        let room = width.saturating_sub(digits.len() + 1);
-        let float = format!("{digits}e{exponent:0room$}");
-        // In base 16 a number of 64 bits is shorter, and read as it is.
-        if float.len() > width {
-            token.to_owned()
-        } else {
-            float
+        DeValue::Float(float) => Value::Float(float.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Boolean(is) => Value::Boolean(*is),
+        DeValue::Datetime(date) => HashMap::from([(date.to_string(), true)]).into(),
+        DeValue::Array(all) => Value::Array(all.iter().map(value).collect()),
+        DeValue::Table(table) => {
+            let entry = |(key, it): (&Spanned<DeString>, _)| (key.get_ref().to_string(), value(it));
+            Value::Table(table.iter().map(entry).collect())
         }
-    })
+    }
+}
+
+/// The number, if it fits in 64 bits.
+fn whole(integer: &DeInteger) -> Option<i64> {
+    i64::from_str_radix(integer.as_str(), integer.radix()).ok()
 }
 
 /// The text with its large whole numbers as texts.
-pub fn as_texts(text: &str) -> Cow<'_, str> {
-    rewritten(text, |token, _| format!("{MARK}{token}\""))
+pub fn as_texts(text: &str) -> String {
+    let mut places = Vec::new();
+    // A text that is no TOML has none.
+    if let Ok(document) = DeTable::parse(text) {
+        let values = document.get_ref().values();
+        values.for_each(|it| collect(it, &mut places));
+    }
+    places.sort_unstable_by_key(|place| place.start);
+    let (mut marked, mut end) = (String::new(), 0);
+    for place in places {
+        marked.extend([&text[end..place.start], MARK, &text[place.clone()], "\""]);
+        end = place.end;
+    }
+    marked + &text[end..]
 }
 
 /// The text with the texts of [`as_texts`] as whole numbers again.
@@ -49,38 +61,12 @@ pub fn as_numbers(text: &str) -> String {
     parts.fold(first, |text, part| text + &part.replacen('"', "", 1))
 }
 
-/// The text with each large whole number as `write` gives it, which receives the number as written and its value.
-fn rewritten(text: &str, write: impl Fn(&str, f64) -> String) -> Cow<'_, str> {
-    let mut numbers = Vec::new();
-    // A text that is no TOML has none.
-    if let Ok(document) = DeTable::parse(text) {
-        for (_, value) in document.get_ref() {
-            collect(value, &mut numbers);
-        }
-    }
-    if numbers.is_empty() {
-        return Cow::Borrowed(text);
-    }
-    numbers.sort_unstable_by_key(|(place, _)| place.start);
-    let (mut whole, mut end) = (String::new(), 0);
-    for (place, value) in numbers {
-        whole += &text[end..place.start];
-        end = place.end;
-        whole += &write(&text[place], value);
-    }
-    Cow::Owned(whole + &text[end..])
-}
-
-/// Collects the places and values of the whole numbers that do not fit in an `i64`.
-fn collect(value: &Spanned<DeValue>, numbers: &mut Vec<(Range<usize>, f64)>) {
+/// Collects the places of the whole numbers that do not fit in 64 bits.
+fn collect(value: &Spanned<DeValue>, places: &mut Vec<Range<usize>>) {
     match value.get_ref() {
-        DeValue::Integer(integer)
-            if i64::from_str_radix(integer.as_str(), integer.radix()).is_err() =>
-        {
-            numbers.push((value.span(), nearest(integer)));
-        }
-        DeValue::Array(array) => array.iter().for_each(|it| collect(it, numbers)),
-        DeValue::Table(table) => table.values().for_each(|it| collect(it, numbers)),
+        DeValue::Integer(integer) if whole(integer).is_none() => places.push(value.span()),
+        DeValue::Array(array) => array.iter().for_each(|it| collect(it, places)),
+        DeValue::Table(table) => table.values().for_each(|it| collect(it, places)),
         _ => {}
     }
 }

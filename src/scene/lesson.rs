@@ -170,12 +170,8 @@ impl Scene {
             let fault = |(keys, why): Fault| (span(text, "step", index, &keys), why);
             step.applied_to(&mut record).map_err(fault).map_err(located)
         };
-        let steps: Vec<Step> = lesson
-            .step
-            .into_iter()
-            .enumerate()
-            .map(step)
-            .collect::<Result<_, _>>()?;
+        let applied = lesson.step.into_iter().enumerate().map(step);
+        let steps: Vec<Step> = applied.collect::<Result<_, _>>()?;
         let Some(first) = steps.first().map(|step| Arc::clone(&step.record)) else {
             let why = "expected one or more tables, each headed `[[step]]`".to_owned();
             return Err(located((whole("step"), why)));

@@ -5,10 +5,12 @@
 
 use std::ops::Range;
 
+use anyhow::anyhow;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use toml::Value;
 
-use super::check::{has, span};
+use super::check::span;
 use super::error;
 use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
 use crate::components::{LightKind, Material, NormalMode, Orbit, Segments, ShadingMode, Viewer};
@@ -122,17 +124,28 @@ impl SceneRecord {
         self.view.camera = None;
     }
 
+    /// Reads and checks a record as TOML.
+    ///
+    /// # Errors
+    /// The key of the first mistake, and the message.
+    pub fn from_tree(tree: Value) -> anyhow::Result<Self> {
+        let refused = |(key, why)| anyhow!("`{key}`: {why}");
+        let record: SceneRecord = error::from_value(tree).map_err(refused)?;
+        record.check()?;
+        Ok(record)
+    }
+
     /// Reads and checks a text.
     ///
     /// # Errors
     /// The bytes of the mistake, and the message.
     pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
         let record: SceneRecord = error::read(text)?;
-        // serde does not say whether the tolerance is in the text.
-        if record.view.budget.is_some() && has(text, "view", "tolerance") {
-            let place = span(text, "view", 0, &["budget"]);
+        // serde does not say whether the tolerance is in the text: a key that is missing has the place of its table.
+        let place = |key| span(text, "view", 0, &[key]);
+        if record.view.budget.is_some() && place("tolerance") != place("") {
             let message = "`view.budget`: beside a tolerance, expected one of the two";
-            return Err((place, message.to_owned()));
+            return Err((place("budget"), message.to_owned()));
         }
         record
             .check()

@@ -9,6 +9,7 @@
 use serde_json::{Value as Json, json};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
+use super::key::tree;
 use super::large;
 use super::record::SceneRecord;
 use crate::components::Orbit;
@@ -20,7 +21,7 @@ pub fn updated(text: &str, record: &SceneRecord) -> String {
         (Ok(old), Ok(document)) => (old, document),
         _ => (SceneRecord::default(), DocumentMut::new()),
     };
-    let [mut old, mut new] = [json!(old), json!(record)];
+    let [mut old, mut new] = [&old, record].map(|it| json!(tree(it)));
     // A text has one of the two.
     if let (Some(_), Json::Object(view)) = (record.view.budget, &mut new["view"]) {
         view.remove("tolerance");
@@ -65,10 +66,8 @@ fn amend_list(document: &mut DocumentMut, kind: &str, old: &[Json], new: &[Json]
     }
     // Without a position a table is written after the last one of the kind before, which may stand after later ones of this.
     let first = amended.iter().find_map(Table::position);
-    for table in amended
-        .iter_mut()
-        .take_while(|table| table.position().is_none())
-    {
+    let unplaced = amended.iter_mut().take_while(|it| it.position().is_none());
+    for table in unplaced {
         table.set_position(first);
     }
     *list = Item::ArrayOfTables(amended);

@@ -14,6 +14,7 @@ use std::time::Duration;
 
 use anyhow::{Context, ensure};
 use serde::{Deserialize, Serialize};
+use toml::Value;
 
 use super::measurement::Request;
 use super::timing::{self, Batch};
@@ -21,6 +22,7 @@ use crate::output::Monitor;
 use crate::output::Output;
 use crate::output::finished;
 use crate::questions::job::Drawing;
+use crate::scene::key::tree;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::METHODS;
 use crate::shading::simd;
@@ -30,7 +32,8 @@ use crate::systems::frame::{Frame, Keep};
 /// A batch for a process of its own: a [`Request`] and the number of the batch.
 #[derive(Serialize, Deserialize)]
 struct BatchRequest {
-    scene: SceneRecord,
+    /// A [`SceneRecord`] as TOML.
+    scene: Value,
     size: [usize; 2],
     threads: usize,
     simd: String,
@@ -71,7 +74,7 @@ pub async fn time_in_a_process(
 ) -> anyhow::Result<Batch> {
     let drawing = &request.drawing;
     let asked = BatchRequest {
-        scene: SceneRecord::of(&drawing.scene.world),
+        scene: tree(&SceneRecord::of(&drawing.scene.world)),
         size: drawing.size,
         threads: drawing.threads,
         simd: simd::name(drawing.level).to_owned(),
@@ -116,12 +119,11 @@ fn this_program() -> std::io::Result<PathBuf> {
 pub fn run() -> anyhow::Result<()> {
     let asked: BatchRequest = serde_json::from_reader(io::stdin().lock())
         .context("cannot read a batch from standard input")?;
-    asked.scene.check()?;
     let method = |id: &String| METHODS.iter().find(|it| it.id == id).copied();
     let methods = asked.methods.iter().map(method).collect::<Option<_>>();
     let request = Request {
         drawing: Drawing {
-            scene: Scene::spawn(String::new(), &asked.scene),
+            scene: Scene::spawn(String::new(), &SceneRecord::from_tree(asked.scene)?),
             size: asked.size,
             threads: asked.threads,
             level: simd::named(&asked.simd).context("no such SIMD level")?,

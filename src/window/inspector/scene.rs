@@ -1,5 +1,5 @@
 //! The scene's tab: the list of entities, and a field for each key of the selected one in the scene file. It edits the
-//! scene's record as JSON.
+//! scene's record as TOML.
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -7,12 +7,11 @@ use std::sync::Arc;
 use egui::{Button, Grid, ScrollArea, TextEdit, TextStyle, Ui, vec2};
 use glam::DVec3;
 use hecs::{Component, World};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use toml::Value;
 
 use crate::components::{names, range};
 use crate::scene::SceneRecord;
-use crate::scene::key::Key;
+use crate::scene::key::{Key, tree};
 use crate::window::desk::{Command, Desk, EntityPlace};
 use crate::window::document::Document;
 use crate::window::widgets::{beside_number, color_button, number, vary_button};
@@ -59,7 +58,7 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
     entity_list(ui, &record, &mut selected);
     ui.separator();
     let (kind, mut place) = selected;
-    let before = [entity(&record, selected), json!(record.background)];
+    let before = [entity(&record, selected), tree(&record.background)];
     let [mut own, mut background] = before.clone();
     let name = own["name"].clone();
     let key = Key::from(kind).child(name.as_str().unwrap_or_default());
@@ -77,11 +76,13 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
     let adds = copies || adds_cuboid || adds_light;
     if adds || deletes || [&own, &background] != [&before[0], &before[1]] {
         // With the changes of this layout.
-        let mut scene = json!(SceneRecord::of(&document.scene.world));
-        scene["background"] = background;
-        if kind == "camera" && scene["view"]["camera"] == name {
-            scene["view"]["camera"] = json!((!deletes).then(|| own["name"].clone()));
+        let mut edited = SceneRecord::of(&document.scene.world);
+        let camera = &mut edited.view.camera;
+        if kind == "camera" && camera.as_deref() == name.as_str() {
+            *camera = own["name"].as_str().filter(|_| !deletes).map(str::to_owned);
         }
+        let mut scene = tree(&edited);
+        scene["background"] = background;
         if let Some(all) = scene[kind].as_array_mut() {
             all[place] = own;
             if copies {
@@ -101,10 +102,10 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
         if adds_cuboid && let Some(cuboids) = scene["cuboid"].as_array_mut() {
             selected = ("cuboid", cuboids.len());
             let mut new = copy("cuboid", cuboids, &cuboids[cuboids.len() - 1]);
-            new["size"] = json!(DVec3::ONE);
+            new["size"] = tree(&DVec3::ONE);
             cuboids.push(new);
         }
-        match edited(&scene) {
+        match SceneRecord::from_tree(scene) {
             Ok(record) => {
                 document.restore(&record);
                 desk.message = None;
@@ -153,27 +154,23 @@ pub fn entity_of(key: &Key, record: &SceneRecord) -> Option<EntityPlace> {
     Some((kind, place))
 }
 
-/// An entity as JSON.
+/// An entity as TOML.
 fn entity(record: &SceneRecord, (kind, place): EntityPlace) -> Value {
     match kind {
-        "cuboid" => json!(record.cuboid[place]),
-        "light" => json!(record.light[place]),
-        _ => json!(record.camera[place]),
+        "cuboid" => tree(&record.cuboid[place]),
+        "light" => tree(&record.light[place]),
+        _ => tree(&record.camera[place]),
     }
-}
-
-/// The record of an edited scene, if the scene format allows it.
-fn edited(scene: &Value) -> anyhow::Result<SceneRecord> {
-    let record: SceneRecord = serde_path_to_error::deserialize(scene)?;
-    record.check()?;
-    Ok(record)
 }
 
 /// The original of new lights, with the keys that have no default. A copy has a name.
 fn new_light() -> Value {
-    json!({
-        "kind": "diffuse", "color": [1.0, 1.0, 1.0], "intensity": 100.0,
-        "position": [10.0, 10.0, 10.0],
+    Value::Table(toml::toml! {
+        name = ""
+        kind = "diffuse"
+        color = [1.0, 1.0, 1.0]
+        intensity = 100.0
+        position = [10.0, 10.0, 10.0]
     })
 }
 
@@ -181,27 +178,28 @@ fn new_light() -> Value {
 /// of its distance from the origin.
 fn copy(kind: &str, all: &[Value], original: &Value) -> Value {
     let mut copy = original.clone();
-    let [position, size] = ["position", "size"].map(|key| DVec3::deserialize(&copy[key]));
+    let vector = |key| copy.get(key)?.clone().try_into::<DVec3>().ok();
+    let [position, size] = ["position", "size"].map(vector);
     if kind != "camera"
-        && let Ok(position) = position
+        && let Some(position) = position
     {
         let beside = |size: DVec3| DVec3::X * (size.x * 1.25);
-        copy["position"] = json!(position + size.map_or(position / 10.0, beside));
+        copy["position"] = tree(&(position + size.map_or(position / 10.0, beside)));
     }
     let mut names = (all.len() + 1..).map(|number| format!("{kind} {number}"));
-    let is_free = |name: &String| all.iter().all(|it| it["name"] != **name);
-    copy["name"] = json!(names.find(is_free));
+    let is_free = |name: &String| all.iter().all(|it| it["name"].as_str() != Some(name));
+    copy["name"] = names.find(is_free).unwrap_or_default().into();
     copy
 }
 
 /// An ambient light has no position, and every other light has one.
 fn place_light(light: &mut Value) {
-    let is_ambient = light["kind"] == "ambient";
-    if let Some(table) = light.as_object_mut() {
+    let is_ambient = light["kind"].as_str() == Some("ambient");
+    if let Some(table) = light.as_table_mut() {
         if is_ambient {
             table.remove("position");
         } else {
-            table.entry("position").or_insert(json!([0.0, 0.0, 0.0]));
+            table.entry("position").or_insert(tree(&DVec3::ZERO));
         }
     }
 }
@@ -240,7 +238,7 @@ fn entity_list(ui: &mut Ui, record: &SceneRecord, selected: &mut EntityPlace) {
 
 /// A row for the value of a key. A table has a row for each of its keys. `varied` is the number whose button is clicked.
 fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: &mut Option<Key>) {
-    if let Value::Object(table) = value {
+    if let Value::Table(table) = value {
         return table
             .iter_mut()
             .for_each(|(name, value)| row(ui, &key.child(name), value, record, varied));
@@ -251,13 +249,14 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: 
             ui.weak(key.range(record).unwrap_or_default());
         });
         if COLORS.contains(&key.last()) && value.is_array() {
-            let mut color = DVec3::deserialize(&*value).unwrap_or_default();
+            let mut color = value.clone().try_into::<DVec3>().unwrap_or_default();
             color_button(ui, &mut color);
-            *value = json!(color);
+            *value = tree(&color);
         }
     });
+    let names = key.names(value);
     ui.horizontal(|ui| match value {
-        Value::Bool(on) => drop(ui.checkbox(on, "")),
+        Value::Boolean(on) => drop(ui.checkbox(on, "")),
         Value::String(name) if key.last() == "name" => name_field(ui, name),
         Value::String(text) => {
             let choices = CHOICES.iter().find(|(own, _)| *own == key.last());
@@ -266,15 +265,10 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: 
             }
         }
         Value::Array(numbers) => {
-            let names = if COLORS.contains(&key.last()) || key.last() == "background" {
-                ["r", "g", "b"]
-            } else {
-                ["x", "y", "z"]
-            };
             for (number, name) in numbers.iter_mut().zip(names) {
-                let letter = Button::new(name).small().frame_when_inactive(false);
+                let letter = Button::new(&name).small().frame_when_inactive(false);
                 if beside_number(ui, letter) {
-                    *varied = Some(key.child(name));
+                    *varied = Some(key.child(&name));
                 }
                 number_field(ui, key.last(), number);
             }
@@ -290,20 +284,21 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: 
 }
 
 fn number_field(ui: &mut Ui, key: &str, value: &mut Value) {
-    let mut float = value.as_f64().unwrap_or_default();
+    let is_whole = value.is_integer();
+    let mut float = value.clone().try_into().unwrap_or_default();
     let is_typed = number(ui, &mut float, ANY).lost_focus();
     if !is_typed {
         let (least, most) = range::of_key(key).into_inner();
         float = float.clamp(least, most);
-        if value.is_u64() {
+        if is_whole {
             float = float.round();
         }
     }
-    // A whole number stays one: as another type of JSON it would count as an edit.
-    *value = if value.is_u64() && float.fract() == 0.0 {
-        json!(float as u64)
+    // A whole number stays one: as another type of TOML it would count as an edit.
+    *value = if is_whole && float.fract() == 0.0 {
+        Value::Integer(float as i64)
     } else {
-        json!(float)
+        Value::Float(float)
     };
 }
 

@@ -377,7 +377,7 @@ pub fn numbers_are_typed_within_their_range() {
     enter(&mut harness, "background", 0, "300");
     assert_eq!(record(&harness).background, background);
     let said = &harness.state().desk.message;
-    assert!(said.as_ref().expect("why").0.starts_with("background"));
+    assert!(said.as_ref().expect("why").0.starts_with("`background"));
     click_inside(&mut harness, "white");
     enter(&mut harness, "gain", 0, "40.5");
     assert_eq!(record(&harness).light[0].gain, 40.5);
