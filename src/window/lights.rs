@@ -8,6 +8,7 @@ use hecs::World;
 
 use super::canvas::Canvas;
 use super::desk::Desk;
+use super::tags::ROOM;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
 use crate::components::{
@@ -56,6 +57,9 @@ impl Lamp {
             }
         } else {
             painter.circle(at, RADIUS, fill, line);
+        }
+        if area.width() < ROOM {
+            return;
         }
         let (align, side) = if self.at.x > area.center().x {
             (Align2::RIGHT_CENTER, -1.0)

@@ -60,6 +60,9 @@ pub fn side_name(side: &Side, shown: Option<Method>) -> String {
     }
 }
 
+/// In a narrower picture, in points, a side has its name alone, and a lamp none.
+pub const ROOM: f32 = 450.0;
+
 /// Lays out the tag of each side in the corner of its half; while the sides take turns, that of the side on screen.
 /// `shown` is the method on screen.
 pub fn tags(
@@ -94,7 +97,9 @@ pub fn tags(
                     row.on_hover_text(side_says(&side));
                 }
             });
-            side_rows(ui, facts, &sides[index], shown);
+            if place.width() >= ROOM {
+                side_rows(ui, facts, &sides[index], shown);
+            }
         });
     }
     viewer_mut(world).sides = sides;
