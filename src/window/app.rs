@@ -188,6 +188,7 @@ impl App {
         mut input: RawInput,
     ) -> anyhow::Result<StepOutput> {
         self.desk.now = now;
+        self.canvas.rest(now);
         self.receive(now);
         let [begins, ends] = [true, false].map(|begins| has_gesture(&input, begins));
         self.document.keep(now, begins);

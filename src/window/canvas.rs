@@ -129,6 +129,11 @@ impl Canvas {
         self.pictures.time.filter(|_| !Arc::ptr_eq(drawn, state))
     }
 
+    /// Lets the picture rest if nothing has changed for [`REST`]. The layout tells of it, and comes next.
+    pub fn rest(&mut self, now: Duration) {
+        self.moved.take_if(|moved| now >= *moved + REST);
+    }
+
     /// Whether nothing has changed for [`REST`].
     pub fn rests(&self) -> bool {
         self.moved.is_none()
@@ -146,9 +151,7 @@ impl Canvas {
         view: View,
     ) -> Result<(), OutOfMemory> {
         let drawn = self.drawn.as_ref();
-        if drawn.is_some_and(|it| Arc::ptr_eq(&it.0, state) && it.1 == view) {
-            self.moved.take_if(|moved| now >= *moved + REST);
-        } else {
+        if drawn.is_none_or(|it| !Arc::ptr_eq(&it.0, state) || it.1 != view) {
             self.pictures.draw(world, &state.view, &view)?;
             self.moved = Some(now);
             self.drawn = Some((Arc::clone(state), view));

@@ -143,6 +143,7 @@ fn a_canvas_draws_a_view_of_another_size_and_rests_after_a_pause() {
         for pause in [Duration::ZERO, REST / 2, REST / 2] {
             now += pause;
             assert!(pause.is_zero() || !canvas.rests());
+            canvas.rest(now);
             let drawn = canvas.draw(now, &mut world, &state, view);
             drawn.expect("a small picture fits");
             assert_eq!(canvas.pictures.frame.size(), size);
