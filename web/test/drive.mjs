@@ -33,10 +33,17 @@ const launch = (ratio) => chromium.launch({
 const browser = await launch(1);
 
 const say = (text) => console.log(text);
-const median = (values) => values.toSorted((one, other) => one - other)[values.length >> 1];
+const median = (values) => [...values].sort((one, other) => one - other)[values.length >> 1];
 const quiet = (page, milliseconds) => page.waitForTimeout(milliseconds);
 const outcome = (page) => page.evaluate(() => shadetrade.outcome());
-const until = (page, test, argument, timeout = 180_000) => page.waitForFunction(test, argument, { timeout, polling: 50 });
+/// Waits for a test to hold in the page. `waitForFunction` needs `eval`, which the page forbids, in versions for Node.js 18.
+const until = async (page, test, argument, timeout = 180_000) => {
+  for (const end = Date.now() + timeout; Date.now() < end; await quiet(page, 50)) {
+    // A page that is being loaded has no context yet.
+    if (await page.evaluate(test, argument).catch(() => false)) return;
+  }
+  assert.fail(`it does not come: ${test}`);
+};
 const shot = (page, name) => page.screenshot({ path: join(output, `${name}.png`) });
 const run = (...words) => execFileSync(program, words, { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
 
