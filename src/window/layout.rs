@@ -246,15 +246,20 @@ impl App {
         };
         let own = self.method().map(|it| capital(it.mode.name()));
         let own = own.as_deref().unwrap_or("it");
-        let (share, ink) = match it.pixels as u64 - it.proven {
-            0 => ("every pixel".to_owned(), GOOD),
-            _ => (format!("{} of {} pixels", it.proven, it.pixels), BAD),
+        let is_whole = it.proven == it.pixels as u64;
+        let share = if is_whole {
+            "every pixel".to_owned()
+        } else {
+            format!("{} of {} pixels", it.proven, it.pixels)
         };
-        let text = match (moves, ink == GOOD) {
-            (true, _) => format!("The last proof held for {share}."),
-            (false, true) => format!("Every pixel is drawn as {own} should be: proven."),
-            (false, false) => format!("{share} are proven to be drawn as {own} should be."),
+        let text = if moves {
+            format!("The last proof held for {share}.")
+        } else if is_whole {
+            format!("Every pixel is drawn as {own} should be: proven.")
+        } else {
+            format!("{share} are proven to be drawn as {own} should be.")
         };
+        let ink = if is_whole { GOOD } else { BAD };
         Some((text, ink))
     }
 }

@@ -40,7 +40,7 @@ const SCENES: f32 = 200.0;
 /// The height of the list of lights, in points.
 const LIGHTS: f32 = 140.0;
 /// In a lower window, in points, the headings are one row.
-const LOW: f32 = 650.0;
+const ONE_ROW: f32 = 650.0;
 
 const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. \
                         A number is added if the name is taken.";
@@ -77,7 +77,7 @@ pub fn panel(ui: &mut Ui, app: &mut App) {
 
 /// Lays out the headings, each with its content if it is open. In a low window they are one row of their keys.
 pub fn headings(ui: &mut Ui, app: &mut App) {
-    let is_low = ui.ctx().content_rect().height() < LOW;
+    let is_low = ui.ctx().content_rect().height() < ONE_ROW;
     if is_low {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
