@@ -12,32 +12,38 @@
 //!
 //! # From scene to pixel
 //!
-//! **Entities, components, systems.** All that a user can change is in a [`hecs::World`]. Its entities are cuboids, lights,
-//! cameras and one viewer; what each is made of are plain [`components`]: a cuboid has a `Transform`, a `Mesh`, a
-//! `Material`, a `ShadingMode`, a `NormalMode` and `Segments`; the viewer has a `Viewer` with the active camera, the projection, the tolerance
-//! and the other settings of the view. Keys, the editor and the command line write components; [`systems`] query them and draw.
+//! **Entities, components, systems.** A scene and its view are a [`hecs::World`]. Its entities are cuboids, lights,
+//! cameras and one viewer; [`components`] lists what each is made of. Keys and the editor write components;
+//! [`systems`] query them and draw.
 //!
-//! **[`scene::SceneRecord`] is a scene as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
-//! [`scene::SceneRecord::of`] takes it from a world. serde reads it from a TOML file and writes it to JSON, and
-//! [`scene::updated`] saves it into the file's text, comments kept. [`scene::key`] addresses any of its values by name, such as
-//! `light.white.intensity`: options, tooltips and the words of undo do.
-//! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large and how
-//! precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
+//! **[`scene::SceneRecord`] is that world as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
+//! [`scene::SceneRecord::of`] takes it from a world. serde reads it from a TOML file and writes it to JSON;
+//! [`scene::updated`] writes it into the text of its file and keeps the comments. A mistake in a file gets its line
+//! and column in `scene/error.rs`. [`scene::key`] addresses each value by name, such as `light.white.intensity`:
+//! the option `--set`, lessons, tooltips and undo use these names. `components/range.rs` has the range of each
+//! number.
 //!
-//! **A frame runs five systems**, in the order of [`systems::FRAME`]; each is a function of the world, the view and
-//! the frame. `tests/it/systems` tests each alone.
+//! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large
+//! and how precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
+//!
+//! **A frame runs five systems**, in the order of [`systems::FRAME`]. Each is a function of the world, the view and
+//! the frame, and has a test of its own in `tests/it/systems`.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
-//! 2. [`systems::normals`]: the mesh's vertex normals, turned; or the faces' own. A corner normal is the normalised sum of the
-//!    unit normals of the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers 20(6)). In the cuboid's
-//!    own axes a corner has the normal (±1, ±1, ±1) / √3.
-//! 3. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974), divided
-//!    by depth and snapped to 1/256 pixel. [`components::Camera::of`] says where a camera stands once its orbit has moved it.
-//! 4. [`systems::lighting`]: the lights that are on, the model at the middle of flat faces, and at the vertices of cuboids under Gouraud: at the eight corners,
-//!    with face normals at the four of each visible face, or with several segments at the points of a grid ([`shading::grid`]).
+//! 2. [`systems::normals`]: the mesh's vertex normals, turned; or the faces' own. A corner normal is the normalised
+//!    sum of the unit normals of the adjacent faces (Gouraud 1971, "Continuous Shading of Curved Surfaces", IEEE
+//!    Transactions on Computers 20(6)). In the cuboid's own axes a corner has the normal (±1, ±1, ±1) / √3.
+//! 3. [`systems::projection`]: corners are seen from the eye, cut at the near plane (Sutherland and Hodgman 1974),
+//!    divided by depth and snapped to 1/256 pixel. [`components::Camera::of`] says where a camera stands once its
+//!    orbit has moved it.
+//! 4. [`systems::lighting`]: gathers the lights that are on, and evaluates the model where a mode needs it before
+//!    pixels:
+//!    - flat: once a face, at its middle;
+//!    - Gouraud: at the eight corners; with face normals at the four corners of each visible face;
+//!    - Gouraud with several segments along an edge: at the points of a grid ([`shading::grid`]).
 //! 5. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
-//!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader. The display step
-//!    comes once and last:
+//!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader.
+//!    `systems/rasterization/canvas.rs` writes pixels. The display step comes once and last:
 //!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
@@ -59,8 +65,9 @@
 //!
 //! # The model, and its modes
 //!
-//! At a point P with unit normal n, in levels a channel (Phong 1975, "Illumination for Computer Generated Pictures",
-//! Communications of the ACM 18(6)); [`shading::Surface::levels`] evaluates this formula at a point:
+//! At a point P with unit normal n, in levels a channel (Phong 1975, "Illumination for Computer Generated
+//! Pictures", Communications of the ACM 18(6)). [`shading::Surface::levels`] evaluates this formula in f64,
+//! [`shading::phong`] in f32:
 //!
 //! ```text
 //! I = sum over ambient lights   kA color intensity gain
@@ -70,15 +77,15 @@
 //! r = 2 (n.l) n - l      l = unit(L - P)      o = unit(O - P)
 //! ```
 //!
-//! Let w be proportional to 1 / depth. The product of w and a quantity that is linear on the face is affine in the pixel
-//! ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). Gouraud and Phong use this, unit vectors do not:
+//! Let w be proportional to 1 / depth. The product of w and a quantity that is linear on the face is affine in the
+//! pixel ([`shading::face`]; Heckbert and Moreton 1991; Olano and Greer 1997). Gouraud and Phong use this:
 //!
 //! - flat shading evaluates I once a face, at its middle, and fills the face;
 //! - [`shading::gouraud`] evaluates I at the vertices and interpolates I: `I = w I / w`;
-//! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no division:
-//!   w n, w (L - P) and w (O - P) have the directions of n, L - P and O - P;
-//! - the assignment's shortcut interpolates unit n, l and o linearly on the screen and does not normalise them. It, and
-//!   Blinn-Phong with four times the exponent (`docs/blinn.md`), are drawn by the reference alone.
+//! - [`shading::phong`] interpolates P and n, normalises n, and evaluates I at every pixel. Directions need no
+//!   division: w n, w (L - P) and w (O - P) have the directions of n, L - P and O - P;
+//! - the assignment's shortcut interpolates unit n, l and o linearly on the screen and does not normalise them. It
+//!   and Blinn-Phong with four times the exponent (`docs/blinn.md`) are drawn by the reference alone.
 //!
 //! [`questions::probe`] explains one pixel: it evaluates every light's term, and both modes beside the reference.
 //!
@@ -98,30 +105,35 @@
 //!
 //! # What a tolerance buys
 //!
-//! Most pixels do not need the formula. A bound proves that nine samples suffice for a square ([`shading::bound`] derives
-//! it): the model is evaluated at nine Chebyshev nodes, a biquadratic goes through them, and a closed form bounds third
-//! derivatives and so the interpolation error. Its nonlinear terms are dropped if the rest of the tolerance allows it
-//! ([`shading::interpolation`]). Where a highlight bends too much, its logarithm is interpolated, and each pixel takes the
-//! power. If the bound exceeds the tolerance, or f32 is too coarse, a square of 32 x 32 pixels is cut into quarters. All other
-//! squares are evaluated pixel by pixel.
-//! [`shading::SquareKind`] lists the ways, and the window's tiles view shows them.
+//! Most pixels do not need the formula. The model is evaluated at nine Chebyshev nodes of a square, and a
+//! biquadratic goes through them. [`shading::bound`] bounds the third derivatives, and so the error of the
+//! interpolation. The square is drawn from the polynomial if the bound is within the tolerance; else it is cut into
+//! quarters, and the smallest squares are evaluated pixel by pixel. [`shading`] has this in pseudo code, with the
+//! sum that must stay within the tolerance. [`shading::SquareKind`] lists the ways, and the window's tiles view
+//! shows them.
 //!
-//! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022): samples at
-//! the vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md` names others.
+//! The nearest published method is that of Hu, Yuan, Wang, Yang and Bao (Computer Graphics Forum 41(7), 2022):
+//! samples at the vertices of a subdivision, linear pieces and a bound of their error, on a GPU. `docs/compare.md`
+//! names others.
 //!
-//! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by machine). At
-//! tolerance 0 the model is evaluated at every pixel; highlights are left out only if all of them together are proven to
-//! stay below 1/80 level, a quarter of the 0.05 that tolerance 0 permits. 1 - o.r is computed as |r - o|² / 2, because 1 -
-//! o.r itself loses digits near the highlight (Lyon 1993; [`shading::specular`]).
+//! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by
+//! machine). At tolerance 0 the model is evaluated at every pixel. Highlights are left out only if all of them
+//! together are proven to stay below 1/80 level, a quarter of the 0.05 that tolerance 0 permits. 1 - o.r is
+//! computed as |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993;
+//! [`shading::specular`]).
 //!
-//! An independent part checks this. [`mod@reference`] draws the same picture by lines of sight through the pixels and
-//! shares no formula with the renderer. It evaluates its formula in f64, in f32 or in intervals ([`reference::Real`]).
-//! [`questions::trade`] compares methods with it in f64 and measures their times; [`questions::metrics`] has the errors. In intervals, rounded
-//! outwards, the reference encloses the exact level of every pixel, from the scene's numbers on: [`mod@questions::prove`] compares the
-//! drawn picture with that. Under Phong it encloses most pixels in squares of 16 to 4 pixels a side, `reference/square.rs`: nine
-//! enclosed samples, the biquadratic through them, and a bound on its error at every real position of the square, all in
-//! intervals. A pixel that its square's enclosure does not prove is enclosed by itself. In the window
-//! proofs follow the picture while it moves, if one takes less than 0.3 s.
+//! # An independent check
+//!
+//! [`mod@reference`] draws the same picture by lines of sight through the pixels and shares no code with the
+//! renderer. `reference/illumination.rs` has its model, in f64, f32 or intervals ([`reference::Real`]).
+//!
+//! - In f64 it is the truth of [`questions::trade`], which measures the error and the time of each method.
+//!   [`questions::metrics`] has the errors: the largest, the mean and others, in levels before they become bytes.
+//! - In intervals, rounded outwards, it encloses the exact level of every pixel, from the scene's numbers on.
+//!   [`mod@questions::prove`] compares the drawn picture with that. `reference/square.rs` encloses most pixels
+//!   under Phong in squares of 16 to 4 pixels a side: nine enclosed samples, and a bound on the error of their
+//!   biquadratic. A pixel that its square does not prove is enclosed by itself.
+//! - In the window proofs follow the picture while it moves, if one takes less than 0.3 s.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};
@@ -149,36 +161,38 @@
 //! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
-//! [`mod@questions::requires`] encloses two pictures, with and without a part of the model. Their difference bounds the error. It
-//! leaves out each light, each cuboid, the normalisation of normals, perspective-correct interpolation and others in turn,
-//! and says which of them the tolerance requires, and on how fine a grid Gouraud keeps it. [`reference::Rule`] lists the
-//! parts that no scene file can leave out.
+//! [`mod@questions::requires`] encloses two pictures, with and without a part of the model. Their difference bounds
+//! the error of leaving that part out. It tries each light, each cuboid, the normalisation of normals,
+//! perspective-correct interpolation and others in turn, and says which of them the tolerance requires. It also
+//! finds the coarsest grid on which Gouraud keeps the tolerance. [`reference::Rule`] lists the parts that no scene
+//! file can leave out.
 //!
 //! # Extreme numbers
 //!
-//! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face, edges
-//! with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name. [`questions::extremes`] proves every
-//! pixel of them, and compares levels with those that are known on paper. [`questions::vary`] varies one number of a scene and
-//! shows where methods, f32 and f64 cease to keep the tolerance. All is computed from differences to the eye, and no
-//! threshold is an absolute length: a scene that is moved, or scaled by a power of two, has the same bits if none of its
-//! numbers is rounded.
+//! `assets/extremes` holds scenes with extreme numbers: the near plane through a corner, a light an ulp off a face,
+//! edges with a ratio of 1e100, sums beyond the largest float. Each is built in and opens by its name.
+//! [`questions::extremes`] proves every pixel of them, and compares levels with those that are known on paper.
+//! [`questions::vary`] varies one number of a scene and shows where methods, f32 and f64 cease to keep the
+//! tolerance. All is computed from differences to the eye, and no threshold is an absolute length: a scene that is
+//! moved, or scaled by a power of two, has the same bits if none of its numbers is rounded.
 //!
 //! # What to touch to add ...
 //!
-//! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`] (the compiler shows the matches), a file
-//!   under `shading/`, a row of [`shading::METHODS`], and its own definition in the reference; the conditions on the mode
-//!   change in `systems/rasterization/listing.rs` and [`systems::lighting`];
-//! - a light kind: a variant of [`components::LightKind`] and its name, its sum in
-//!   `gather` in `systems/lighting.rs`, its term in [`shading::Surface::levels`] and, written anew, in the reference;
-//! - a step of the frame: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
+//! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`], a file under `shading/`, a row
+//!   of [`shading::METHODS`], and its own definition in the reference. The compiler shows the matches; conditions
+//!   on the mode stand in [`systems::lighting`], `systems/rasterization`, `reference/picture.rs` and
+//!   `questions/probe`;
+//! - a light kind: a variant of [`components::LightKind`] and its name, its sum in `gather` of
+//!   `systems/lighting.rs`, its term in `shading/surface.rs` (f64) and `shading/phong.rs` (f32, with its bound),
+//!   and, written anew, in `reference/illumination.rs`. An ambient light needs its sum alone;
+//! - a system: a file under `systems/` with its `run`, its row of [`systems::FRAME`], and a file under
 //!   `tests/it/systems`; a component that it derives joins the others in [`scene::SceneRecord::spawn`];
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
-//! - a metric: a pure function in [`questions::metrics`], and a field of [`questions::trade::Measurement`], which JSON has automatically;
-//!   a row of `COLUMNS` in [`questions::trade::export`] if the table is to show it as well;
-//! - something that a scene says: a component, its key in the records of [`scene`] with its range, and the two places
-//!   where [`scene::SceneRecord`] spawns it and takes it from a world;
-//! - a number that can be edited: its key in a record of [`scene`], which the window shows by itself, and its comment in
-//!   its table of `assets/scenes/cuboid.toml`, which is its tooltip;
+//! - a metric: a field of [`questions::metrics::ErrorStatistics`], which JSON has automatically, and a row of
+//!   `COLUMNS` in [`questions::trade::export`] if the table is to show it;
+//! - a value of a scene: a component; its key in the records of [`scene`], with its range; and the two places where
+//!   [`scene::SceneRecord`] spawns it and takes it from a world. The window's editor shows it by itself. Its
+//!   comment in `assets/scenes/cuboid.toml` is its tooltip;
 //! - a lesson: a file in `assets/lessons`, and its row of [`scene::LESSONS`];
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
 //!   `window/actions.rs` that writes components; help and tooltips show it by themselves;
@@ -196,17 +210,17 @@
 //! components   output
 //! ```
 //!
-//! A room imports from lower lines only, and `tests/it/layers.rs` reads this drawing, and the one of [`questions`] inside that
-//! room. Beyond that: [`mod@reference`] takes components, [`output::memory`] and [`output::progress`], never a formula of the
-//! renderer's; [`output`] imports nothing else of this crate; [`cli`] imports what it needs to convert and check options;
-//! minifb is named in [`window`] alone, egui in [`output::paint`], [`window`] and [`questions::figures`], which draws letters;
-//! only [`scene`] reads and writes TOML.
+//! A room imports from lower lines only; `tests/it/layers.rs` reads this drawing, and the one of [`questions`]
+//! inside that room. Beyond that: [`mod@reference`] takes components, [`output::memory`] and [`output::progress`],
+//! and no code of the renderer; [`output`] imports nothing else of this crate; [`cli`] imports what it needs to
+//! convert and check options; minifb is named in [`window`] alone, egui in [`output::paint`], [`window`] and
+//! [`questions::figures`], which draws letters; only [`scene`] reads and writes scene files.
 //!
 //! # What is not modelled, and why
 //!
-//! Only what a scene of lit cuboids requires: no textures, no shadows, no interreflection, no attenuation with distance,
-//! no transparency, no antialiasing, no gamma (levels are display-referred, as in the fixed-function pipeline the
-//! assignment comes from), no far plane.
+//! Only what a scene of lit cuboids requires: no textures, no shadows, no interreflection, no attenuation with
+//! distance, no transparency, no antialiasing, no gamma (levels are display-referred, as in the fixed-function
+//! pipeline the assignment comes from), no far plane.
 
 pub mod cli;
 pub mod components;

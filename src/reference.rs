@@ -1,7 +1,7 @@
 //! The reference: the picture evaluated along one line of sight per pixel, in f64, f32 or intervals.
 //!
 //! The line through each pixel centre is intersected with the faces of the cuboids (`sight`, `geometry`), and the
-//! illumination model is evaluated at the intersection (`illumination`). Nothing is rasterised, snapped or approximated.
+//! illumination model is evaluated at the intersection (`illumination`). Nothing is rasterised or snapped.
 //!
 //! ```text
 //!        eye . . . . . . +---------.          near plane: intersections before it do not count
@@ -10,7 +10,7 @@
 //!                        +------------+
 //! ```
 //!
-//! The reference shares the scene's data (`components`) with the renderer, but none of its formulas. Positions are
+//! The reference shares the scene's data (`components`) with the renderer, but none of its code. Positions are
 //! subtracted first (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses no precision. Each
 //! cuboid is intersected and lit in its own coordinates, so its proportions do not matter. The bits of the result do not
 //! depend on the number of threads.
