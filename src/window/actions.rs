@@ -10,7 +10,6 @@ use super::controls;
 use super::inspector::{Tab, entity_of};
 use super::keys::{self, Action, EXACT_SIDES};
 use super::pictures::sides;
-use super::viewport::DIVIDER_MARGIN;
 use crate::components::ViewMode;
 use crate::output::encode_png;
 use crate::output::files::write_numbered;
@@ -241,8 +240,9 @@ impl App {
         if is_hidden {
             // A tenth of the width beside it, so that its surroundings are seen.
             let offset = if index == 0 { 0.1 } else { -0.1 };
-            let divider = x as f64 / self.canvas.size()[0] as f64 + offset;
-            self.viewer_mut().divider = divider.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
+            let column = x as f64 + offset * self.canvas.size()[0] as f64;
+            let divider = self.canvas.divider_at(column);
+            self.viewer_mut().divider = divider;
         }
         self.probe([x, y]);
         self.desk.open(Tab::Pixel);

@@ -281,6 +281,8 @@ impl App {
         // A budget may be held by another method now.
         self.outdate();
         let (view, method) = (self.view(), self.method());
+        let side = |pixel: [usize; 2]| (pixel, self.canvas.side_at(&self.viewer(), pixel[0]));
+        let pixel = self.pixel().map(side);
         let Document { scene, state, .. } = &mut self.document;
         self.canvas
             .draw(self.desk.now, &mut scene.world, state, view)?;
@@ -289,7 +291,7 @@ impl App {
             record: state,
             view,
             fit: self.canvas.fit,
-            pixel: self.canvas.pixel(&state.view),
+            pixel,
             method,
             workers: self.canvas.pictures.frame.workers(),
             rests: self.canvas.rests(),

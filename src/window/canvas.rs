@@ -8,7 +8,7 @@ use egui::{Pos2, Rect, vec2};
 use hecs::World;
 
 use super::facts::Facts;
-use super::pictures::{Pictures, divider_column, or_dimmed};
+use super::pictures::{Pictures, or_dimmed, sides};
 use crate::components::{Projection, Side, View, ViewMode, Viewer};
 use crate::output::memory::{self, OutOfMemory};
 use crate::scene::SceneRecord;
@@ -20,6 +20,8 @@ pub const REST: Duration = Duration::from_millis(100);
 
 /// The factor from one fit of a narrow picture to the next.
 const FIT_STEP: f64 = 1.1;
+/// A divider that is dragged stays this share of the picture's width away from either edge.
+const DIVIDER_MARGIN: f64 = 0.02;
 
 /// The picture on screen.
 pub struct Canvas {
@@ -118,9 +120,31 @@ impl Canvas {
         self.fitted = None;
     }
 
+    /// The width of which the divider is a share. A picture narrower than 4:3 shows the middle of one of 4:3, so the divider
+    /// is at the same place of the scene in both.
+    fn divided_width(&self) -> f64 {
+        let [width, _] = self.size();
+        (self.rows() * 4.0 / 3.0).max(width as f64)
+    }
+
     /// The first column right of the divider.
     pub fn divider_column(&self, viewer: &Viewer) -> usize {
-        divider_column(viewer.divider, self.size()[0])
+        let [width, _] = self.size();
+        let offset = (viewer.divider - 0.5) * self.divided_width();
+        let column = (width as f64 / 2.0 + offset).round();
+        (column.max(0.0) as usize).min(width)
+    }
+
+    /// The divider at a column, or at the nearest one that is not too near to an edge.
+    pub fn divider_at(&self, column: f64) -> f64 {
+        let [width, _] = self.size().map(|it| it as f64);
+        let column = column.clamp(DIVIDER_MARGIN * width, (1.0 - DIVIDER_MARGIN) * width);
+        0.5 + (column - width / 2.0) / self.divided_width()
+    }
+
+    /// The picture that is shown in a column.
+    pub fn side_at(&self, viewer: &Viewer, column: usize) -> Side {
+        sides(viewer)[usize::from(column >= self.divider_column(viewer))]
     }
 
     /// The milliseconds of the last frame, where a frame of another state is to be drawn now.
@@ -187,7 +211,7 @@ impl Canvas {
             (ViewMode::Terms, None) => Cow::from(&self.pictures.terms),
             (ViewMode::Wipe, None) => {
                 let width = self.pictures.frame.size()[0];
-                let divider = divider_column(viewer.divider, width);
+                let divider = self.divider_column(viewer).min(width);
                 let mut pixels = self.side(viewer, facts, 0).into_owned();
                 let right = self.side(viewer, facts, 1);
                 let lines = pixels.chunks_exact_mut(width);

@@ -66,10 +66,14 @@ impl Document {
         has_edits(&self.state, &self.file.saved)
     }
 
-    /// The title of the window.
+    /// The title of the window, which names the file before anything is written.
     pub fn title(&self) -> String {
         let star = if self.is_edited() { "*" } else { "" };
-        format!("{}{star} - shadetrade", self.scene.name)
+        let (name, path) = (&self.scene.name, self.target(false));
+        format!(
+            "{name}{star} (Ctrl S writes {}) - shadetrade",
+            path.display()
+        )
     }
 
     /// Puts the World into another state. Cuboids that turn keep turning.
@@ -187,9 +191,10 @@ impl Document {
         self.file.save(&mut self.scene, &self.folder, new)?;
         let forgotten = self.forget_edits();
         self.follow_scene();
+        let path = quoted(&self.target(false).to_string_lossy());
         Ok(match forgotten {
-            Ok(()) => format!("saved {}", quoted(&self.scene.name)),
-            Err(error) => format!("saved {}; {error:#}", quoted(&self.scene.name)),
+            Ok(()) => format!("saved {path}"),
+            Err(error) => format!("saved {path}; {error:#}"),
         })
     }
 }

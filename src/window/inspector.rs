@@ -51,7 +51,7 @@ pub const HEADINGS: [(Tab, &str, &str, &str); 9] = [
     (Tab::Scene, "Scene", "E", "Every number of the scene, and its file."),
     (Tab::Pixel, "Numbers", "click", "The computation at a pixel: click one in the picture."),
     (Tab::Required, "Needed parts", "N", "The parts of the model that this picture needs."),
-    (Tab::Proof, "Proof", "", "The proof that the picture keeps its tolerance."),
+    (Tab::Proof, "Proof", "K", "The proof that the picture keeps its tolerance."),
     (Tab::Vary, "Try a range", "V", "A number of the scene against the error."),
 ];
 

@@ -134,6 +134,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
     ("Scene", &[
         ("edit", "Shows every number of the scene, to be changed, and its file.", &[(NO, Key::E, Action::Tab(Tab::Scene))]),
         ("needed parts", "Shows the parts of the model that this picture requires.", &[(NO, Key::N, Action::Tab(Tab::Required))]),
+        ("proof", "Shows the proof that the picture keeps its tolerance.", &[(NO, Key::K, Action::Tab(Tab::Proof))]),
         ("try a range", "Shows a number of the scene against the error.", &[(NO, Key::V, Action::Tab(Tab::Vary))]),
         ("lessons", "A few steps each, with a question.", &[(NO, Key::L, Action::Tab(Tab::Lessons))]),
         ("next", "The next step of the lesson.", &[(NO, Key::Enter, Action::Step(1))]),

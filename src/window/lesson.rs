@@ -17,7 +17,7 @@ use super::facts::Facts;
 use super::keys::{Action, caption};
 use super::labels::Labels;
 use super::layout::message;
-use super::pictures::view_at;
+use super::pictures::exact_view;
 use super::study::shows_exact;
 use super::widgets::{BAD, GOOD, INK, number, offer, short};
 use super::words::about;
@@ -300,7 +300,7 @@ async fn picture(
         facts.comparison.finish(Some(comparison));
     }
     if let Some(pixel) = canvas.pixel(viewer) {
-        let view = view_at(viewer, &view, pixel[0]);
+        let view = exact_view(&canvas.side_at(viewer, pixel[0]), &view);
         facts
             .section
             .finish(Some(probe::section(&mut scene, &view, pixel, level)?));

@@ -16,7 +16,7 @@ use super::choice::Choice;
 use super::controls::{has_face_normals, set_tolerance, shows_picture};
 use super::desk::{Command, Desk};
 use super::document::Document;
-use super::inspector::{HEADINGS, content};
+use super::inspector::{HEADINGS, Tab, content};
 use super::keys::{Action, EXACT_SIDES, caption, keys};
 use super::lesson::{button, segment_buttons};
 use super::study::Study;
@@ -108,6 +108,9 @@ pub fn headings(ui: &mut Ui, app: &mut App) {
                 if app.desk.revealed.take_if(|it| *it == tab).is_some() {
                     heading.scroll_to_me(Some(Align::TOP));
                 }
+            }
+            if tab == Tab::Scene && !is_open && app.document.is_edited() {
+                path_row(ui, Action::Save, &app.document.target(false));
             }
             if is_open {
                 ui.push_id(tab, |ui| content(ui, app, tab));
@@ -314,18 +317,21 @@ pub fn file_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
             offer(ui, desk, action, false);
         }
     });
-    path_row(ui, &document.target(false));
+    path_row(ui, Action::Save, &document.target(false));
     ui.horizontal(|ui| {
         offer(ui, desk, Action::SaveAs, false);
         let field = ui.text_edit_singleline(&mut document.file.new_name);
         field.on_hover_text(NEW_NAME);
     });
-    path_row(ui, &document.target(true));
+    path_row(ui, Action::SaveAs, &document.target(true));
 }
 
-/// The file that a button above writes.
-fn path_row(ui: &mut Ui, path: &Path) {
-    let text = RichText::new(format!("writes {}", path.display())).weak();
+/// The file that a key writes, and its folder.
+fn path_row(ui: &mut Ui, action: Action, path: &Path) {
+    let key = caption(action);
+    let [name, folder] = [path.file_name(), path.parent().map(Path::as_os_str)]
+        .map(|it| it.unwrap_or_default().display().to_string());
+    let text = RichText::new(format!("{key} writes {name} in {folder}")).weak();
     ui.add(Label::new(text).truncate());
 }
 

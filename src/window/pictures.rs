@@ -197,17 +197,10 @@ pub fn side_view(side: &Side, view: &View) -> Option<View> {
     }
 }
 
-/// The view of the picture that is shown in a column; the reference's is exact Phong.
-pub fn view_at(viewer: &Viewer, view: &View, column: usize) -> View {
-    let is_right = column >= divider_column(viewer.divider, view.size[0]);
-    let side = sides(viewer)[usize::from(is_right)];
+/// The view that draws what a side shows: that of exact Phong for the reference.
+pub fn exact_view(side: &Side, view: &View) -> View {
     let exact = || view.shaded(ShadingMode::Phong).with_tolerance(0.0);
-    side_view(&side, view).unwrap_or_else(exact)
-}
-
-/// The first column right of the divider.
-pub fn divider_column(divider: f64, width: usize) -> usize {
-    ((divider.clamp(0.0, 1.0) * width as f64).round() as usize).min(width)
+    side_view(side, view).unwrap_or_else(exact)
 }
 
 /// `known`, or `picture` without colour and most of its light.

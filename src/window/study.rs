@@ -14,7 +14,7 @@ use super::desk::Desk;
 use super::document::is_another_scene;
 use super::facts::{Facts, Latest, Question, Work, pool};
 use super::inspector::Tab;
-use super::pictures::{side_method, sides, view_at};
+use super::pictures::{exact_view, side_method, sides};
 use crate::components::{Camera, Side, View, ViewMode, Viewer, active_camera, alike};
 use crate::output::Monitor;
 use crate::questions::job::Drawing;
@@ -85,8 +85,8 @@ pub struct Subject<'a> {
     pub view: View,
     /// See [`Canvas::fit`](super::canvas::Canvas::fit).
     pub fit: f64,
-    /// The explained pixel.
-    pub pixel: Option<[usize; 2]>,
+    /// The explained pixel, and the picture that is shown there.
+    pub pixel: Option<([usize; 2], Side)>,
     /// The method on screen; `None` where the cuboids have different modes.
     pub method: Option<Method>,
     pub workers: &'a Workers,
@@ -192,15 +192,13 @@ impl Study {
         let level = subject.workers.level();
         let is_live = self.is_live();
         let shows_exact = desk.blinks.is_some() || desk.awaits_worst || shows_exact(viewer);
-        if let Some(pixel) = subject.pixel {
-            let viewer = viewer.clone();
+        if let Some((pixel, side)) = subject.pixel {
             self.find(
                 subject,
                 Question::Probe,
                 |facts| &mut facts.section,
                 async move |mut scene, view, _| {
-                    // The side of the wipe that the pixel is on.
-                    let view = view_at(&viewer, view, pixel[0]);
+                    let view = exact_view(&side, view);
                     Ok(probe::section(&mut scene, &view, pixel, level)?)
                 },
             );

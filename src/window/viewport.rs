@@ -36,8 +36,6 @@ const LEGEND: Align2 = Align2::LEFT_BOTTOM;
 const REACH: f32 = 10.0;
 /// From the upper end of the divider to its handle, in points.
 const HANDLE: f32 = 24.0;
-/// The divider stays this share of the picture's width away from either edge.
-pub const DIVIDER_MARGIN: f64 = 0.02;
 
 impl App {
     /// Lays out the picture's area in the rest of the window.
@@ -268,9 +266,8 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
     let place = Rect::from_x_y_ranges(x - REACH..=x + REACH, line);
     let handle = ui.interact(place, ui.id().with("divider"), Sense::click_and_drag());
     if let Some(pointer) = handle.interact_pointer_pos().filter(|_| handle.dragged()) {
-        let share = f64::from((pointer.x - canvas.place.min.x) / canvas.place.width());
-        let divider = share.clamp(DIVIDER_MARGIN, 1.0 - DIVIDER_MARGIN);
-        viewer_mut(world).divider = divider;
+        let column = (pointer.x - canvas.place.min.x) * canvas.scale;
+        viewer_mut(world).divider = canvas.divider_at(f64::from(column));
     }
     draw_line(ui.painter(), x, line);
     let edge = (1.0, Color32::from_black_alpha(150));

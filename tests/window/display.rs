@@ -52,7 +52,9 @@ fn keys_change_the_picture_and_restore_it() {
     let program = Program::open(PLAIN, &[]);
     let start = program.picture();
     assert_eq!(start.dimensions(), (960, 720));
-    assert_eq!(program.title(), "cuboid - shadetrade");
+    let file = program.folder.path().join("cuboid.toml");
+    let title = format!("cuboid (Ctrl S writes {}) - shadetrade", file.display());
+    assert_eq!(program.title(), title);
     let start = picture(&start);
     let seen = || picture(&program.picture());
     let pairs = [

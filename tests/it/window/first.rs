@@ -5,14 +5,14 @@ use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Side, ViewMode, common_mode};
-use shadetrade::questions::probe;
+use shadetrade::components::{ShadingMode, Side, TriangleId, ViewMode, common_mode};
+use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::HEADINGS;
-use shadetrade::window::pictures::divider_column;
 
 use super::trade::with_trade;
 use super::{Window, press};
+use crate::support::scene::draw;
 use crate::support::window::{app, first_scene, places, widgets};
 
 /// The roles of widgets that are clicked.
@@ -80,25 +80,52 @@ fn everything_in_sight_fits() {
     }
 }
 
+/// The columns of the highlight in the picture of a window.
+fn highlight(window: &Window) -> [usize; 2] {
+    let view = window.app.view().shaded(ShadingMode::Phong);
+    let mut world = window.app.document.state.spawn();
+    let frame = draw(&mut world, &view, Keep::Levels);
+    let pixels = frame.levels().iter().zip(frame.triangles()).enumerate();
+    // Elsewhere blue is below half of this.
+    let is_bright = |it: &(usize, (&[f32; 3], &TriangleId))| {
+        let (_, (levels, triangle)) = *it;
+        *triangle != TriangleId::NONE && levels[2] > 120.0
+    };
+    let columns = pixels.filter(is_bright).map(|it| it.0 % view.size[0]);
+    let least_and_most = columns.fold([usize::MAX, 0], |[least, most], column| {
+        [least.min(column), most.max(column)]
+    });
+    assert!(least_and_most[0] < least_and_most[1], "a highlight");
+    least_and_most
+}
+
 #[test]
-fn the_line_goes_through_the_highlight_and_the_question_asks_for_it() {
+fn the_line_goes_through_the_highlight_in_windows_of_all_sizes() {
+    for size in [
+        [1920, 1080],
+        [1366, 768],
+        [1280, 800],
+        [1280, 720],
+        [960, 720],
+        [800, 600],
+        [400, 740],
+        [390, 844],
+    ] {
+        let window = Window::of(first_scene(), size);
+        let column = window.app.canvas.divider_column(&window.app.viewer());
+        let [first, last] = highlight(&window);
+        // A good part of it is seen on the right, and is missing on the left.
+        let part = (last - first) / 4;
+        let middle = first + part..=last - part;
+        assert!(middle.contains(&column), "{size:?}: {column}, {middle:?}");
+    }
+}
+
+#[test]
+fn the_question_asks_for_the_highlight_where_there_is_one() {
     let mut window = Window::of(first_scene(), [1240, 960]);
     assert_eq!(window.record().view.show, ViewMode::Wipe);
     assert_eq!(window.record().view.sides, Side::gouraud_phong(0.5));
-    let mut scene = first_scene();
-    let view = shadetrade::components::View::of(&scene.world, [960, 720]);
-    let column = divider_column(window.record().view.divider, 960);
-    let probes = probe::section(&mut scene, &view, [column, 327], Level::new());
-    let surfaces = probes.expect("it fits").into_iter().filter_map(|probe| {
-        let surface = probe.surface?;
-        Some((probe.pixel[0], surface.phong.z))
-    });
-    let brightest = surfaces.max_by(|one, other| one.1.total_cmp(&other.1));
-    let (brightest, _) = brightest.expect("a cuboid");
-    assert!(
-        brightest.abs_diff(column) < 10,
-        "{brightest} is not {column}"
-    );
     let has_question = |window: &mut Window| {
         let spare = app(first_scene(), [64, 48], Level::new());
         let mut harness = widgets(std::mem::replace(&mut window.app, spare), [1240, 960]);

@@ -120,6 +120,7 @@ fn every_key_does_what_its_description_says() {
             (desk.panel_folded, Action::Panel),
             (desk.is_open(Tab::Scene), Action::Tab(Tab::Scene)),
             (desk.is_open(Tab::Required), Action::Tab(Tab::Required)),
+            (desk.is_open(Tab::Proof), Action::Tab(Tab::Proof)),
             (window.app.viewer().turns, Action::Rotate),
             (window.app.desk.quits, Action::Quit),
         ] {
