@@ -22,7 +22,7 @@ pub mod document;
 pub mod error_map;
 pub mod facts;
 pub mod file;
-pub mod history;
+pub mod help;
 #[cfg(not(target_family = "wasm"))]
 pub mod input;
 pub mod inspector;
@@ -44,7 +44,6 @@ pub mod varied;
 mod vertices;
 mod viewport;
 pub mod widgets;
-pub mod words;
 
 #[cfg(not(target_family = "wasm"))]
 pub use display::{NoWindow, restart_in_fit_environment};

@@ -1,20 +1,17 @@
 //! The keys that were pressed, and their actions. An action writes components of the World, or the state of the window alone.
 
-use std::sync::Arc;
-
 use egui::{Event, Key, Ui};
 
 use super::app::App;
 use super::comparison::Worst;
 use super::controls;
-use super::inspector::{Tab, entity_of};
+use super::inspector::Tab;
 use super::keys::{self, Action, EXACT_SIDES};
 use super::pictures::sides;
 use crate::components::ViewMode;
 use crate::output::encode_png;
 use crate::output::files::write_numbered;
-use crate::scene::key;
-use crate::scene::{BUILT_IN, SceneRecord};
+use crate::scene::BUILT_IN;
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
@@ -96,11 +93,15 @@ impl App {
             }
             Action::Rotate => self.rotation.switch(world, self.desk.now),
             Action::Tab(tab) => self.desk.switch(tab),
+            Action::Open(name) => self.open(name),
             Action::Step(steps) => {
                 self.canvas.fit_again();
                 self.step_lesson(steps);
             }
-            Action::Undo | Action::Redo => self.travel(action == Action::Undo),
+            Action::Undo | Action::Redo => {
+                let message = self.document.travel(action == Action::Undo);
+                self.desk.say(message);
+            }
             Action::Save => self.save(false),
             Action::SaveAs => self.save(true),
             Action::Panel if is_lesson => self.desk.shows_rest ^= true,
@@ -112,22 +113,6 @@ impl App {
             }
             Action::Close => self.close_uppermost(),
             Action::Quit => self.quit(),
-        }
-    }
-
-    /// Undoes or redoes a step, and selects the entity that it changed.
-    fn travel(&mut self, is_undo: bool) {
-        let before = Arc::clone(&self.document.state);
-        let message = if is_undo {
-            self.document.undo()
-        } else {
-            self.document.redo()
-        };
-        self.desk.say(message);
-        let after = SceneRecord::of(&self.document.scene.world);
-        let changed = key::differences(&before, &after);
-        if let Some(place) = changed.iter().find_map(|key| entity_of(key, &after)) {
-            self.desk.selected = Some(place);
         }
     }
 
@@ -148,7 +133,7 @@ impl App {
         let has_labels = matches!(viewer.show, ViewMode::Error | ViewMode::Wipe);
         // Each of two pictures that blink, and one without a part, is another one than the map or the wipe.
         if has_labels && self.desk.turn().is_none() && self.desk.shown_without().is_none() {
-            self.labels(&viewer, false).draw(&mut pixels);
+            self.labels(&viewer, true, false).draw(&mut pixels);
         }
         pixels
     }

@@ -19,8 +19,8 @@ use hecs::{Ref, RefMut};
 
 use super::canvas::{Canvas, REST};
 use super::choice::Choice;
-use super::controls::{self, Rotation};
-use super::desk::{Command, Desk, TURN};
+use super::controls::Rotation;
+use super::desk::{Desk, TURN};
 use super::document::Document;
 use super::file::INTERVAL;
 use super::inspector::Tab;
@@ -347,9 +347,18 @@ impl App {
     /// Opens a file or a built-in scene by its name. If it has an error, the scene before stays.
     pub fn open(&mut self, name: &str) {
         match Scene::load(Some(name)) {
-            Ok(scene) => self.carry_out(Command::Open(Box::new(scene))),
+            Ok(scene) => self.open_scene(scene),
             Err(error) => self.desk.file_error = Some(error.to_string()),
         }
+    }
+
+    /// Shows a scene. If the edits of the one before cannot be written, that stays.
+    pub fn open_scene(&mut self, scene: Scene) {
+        if let Err(error) = self.document.write_edits() {
+            return self.desk.say(format!("not opened: {error:#}"));
+        }
+        self.document.open(scene);
+        self.show_document();
     }
 
     /// Shows a document that was just opened.
@@ -365,33 +374,6 @@ impl App {
             self.desk.open(Tab::Pixel);
         }
         self.desk.file_error = None;
-    }
-
-    /// Carries out a wish of a widget.
-    pub(super) fn carry_out(&mut self, command: Command) {
-        let now = self.desk.now;
-        match command {
-            Command::Run(action) => self.run(action),
-            Command::Vary(key) => self.desk.vary(key, &self.document.state),
-            Command::StepBack => {
-                self.canvas.fit_again();
-                let size = self.canvas.wide_size();
-                controls::step_back(&mut self.document.scene.world, size);
-            }
-            Command::Open(scene) => match self.document.write_edits() {
-                Ok(()) => {
-                    self.document.open(*scene);
-                    self.show_document();
-                }
-                Err(error) => self.desk.say(format!("not opened: {error:#}")),
-            },
-            Command::RestoreEdits => self.document.restore_edits(now),
-            Command::DiscardEdits => {
-                if let Err(error) = self.document.discard_edits() {
-                    self.desk.say(format!("not discarded: {error:#}"));
-                }
-            }
-        }
     }
 
     /// Writes unsaved edits before the window closes. If that fails, the window stays unless it `must` close.

@@ -6,8 +6,6 @@ use super::inspector::Tab;
 use super::keys::Action;
 use super::varied::Varied;
 use crate::questions::requires::Part;
-use crate::scene::Scene;
-use crate::scene::key::Key;
 
 /// How long each of two pictures is shown while they take turns.
 pub const TURN: Duration = Duration::from_millis(500);
@@ -58,20 +56,8 @@ pub struct Desk {
     pub has_field: bool,
     /// Whether a field or a popup of the last layout takes Escape.
     pub takes_escape: bool,
-    /// The wishes of the present layout.
-    pub commands: Vec<Command>,
-}
-
-/// A wish of a widget, which [`super::app::App`] carries out after the layout.
-pub enum Command {
-    Run(Action),
-    Open(Box<Scene>),
-    /// Shows a number against the error.
-    Vary(Key),
-    /// Moves the camera away until what was added is in sight.
-    StepBack,
-    RestoreEdits,
-    DiscardEdits,
+    /// The actions that the widgets of the present layout wish for. They run after it.
+    pub wishes: Vec<Action>,
 }
 
 impl Desk {
@@ -90,7 +76,7 @@ impl Desk {
     }
 
     pub fn wish(&mut self, action: Action) {
-        self.commands.push(Command::Run(action));
+        self.wishes.push(action);
     }
 
     /// Two pictures take turns for as long as this is called with `true`.

@@ -12,15 +12,20 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::util::undoer::Undoer;
+use egui::util::undoer::{Settings, Undoer};
 
 use super::file::SceneFile;
-use super::history::{State, history};
 use super::unsaved::Unsaved;
-use crate::components::{Name, Orbit, viewer, viewer_mut};
+use crate::components::{Name, Orbit, Viewer, viewer, viewer_mut};
 use crate::output::quoted;
 use crate::scene::key;
 use crate::scene::{Scene, SceneRecord};
+
+/// The memory that all states together may take, and that of an entity in a state, in bytes.
+const MEMORY: usize = 64 << 20;
+const ENTITY: usize = 512;
+/// The most steps that are kept.
+const STEPS: usize = 500;
 
 /// The scene that is open.
 pub struct Document {
@@ -106,22 +111,15 @@ impl Document {
         }
     }
 
-    pub fn undo(&mut self) -> String {
-        self.travel("undo", Undoer::undo)
-    }
-
-    pub fn redo(&mut self) -> String {
-        self.travel("redo", Undoer::redo)
-    }
-
-    /// Goes to the state that `find` finds in the history, and names the change.
-    fn travel(
-        &mut self,
-        verb: &str,
-        find: for<'a> fn(&'a mut Undoer<State>, &State) -> Option<&'a State>,
-    ) -> String {
+    /// Undoes the last change, or redoes it, and names it.
+    pub fn travel(&mut self, is_undo: bool) -> String {
         let present = State(Arc::clone(&self.state));
-        let Some(found) = find(&mut self.history, &present) else {
+        let (verb, found) = if is_undo {
+            ("undo", self.history.undo(&present))
+        } else {
+            ("redo", self.history.redo(&present))
+        };
+        let Some(found) = found else {
             return format!("nothing to {verb}");
         };
         let mut record = SceneRecord::clone(&found.0);
@@ -197,6 +195,46 @@ impl Document {
             Err(error) => format!("saved {path}; {error:#}"),
         })
     }
+}
+
+/// A state that can be gone back to. States that differ in rotation or pixel only are equal: undo leaves these as they
+/// are.
+#[derive(Clone)]
+pub struct State(pub Arc<SceneRecord>);
+
+impl State {
+    /// The view with the rotation and pixel of another one.
+    pub fn view_as(&self, present: &Viewer) -> Viewer {
+        Viewer {
+            turned: present.turned,
+            pixel: present.pixel,
+            ..self.0.view.clone()
+        }
+    }
+}
+
+impl PartialEq for State {
+    /// Compared in every frame, so it copies no entities.
+    fn eq(&self, other: &State) -> bool {
+        let (one, another) = (&*self.0, &*other.0);
+        Arc::ptr_eq(&self.0, &other.0)
+            || one.camera == another.camera
+                && one.light == another.light
+                && one.cuboid == another.cuboid
+                && one.background == another.background
+                && self.view_as(&another.view) == another.view
+    }
+}
+
+/// The states to go back to. There will be about as many entities as in `record`.
+pub fn history(record: &SceneRecord) -> Undoer<State> {
+    let entities = record.cuboid.len() + record.light.len() + record.camera.len();
+    Undoer::with_settings(Settings {
+        max_undos: (MEMORY / (ENTITY * entities)).clamp(8, STEPS),
+        // A gesture is one step. After a second without a change the next one begins a step.
+        auto_save_interval: f32::INFINITY,
+        ..Settings::default()
+    })
 }
 
 /// The key of the values that differ, in words.

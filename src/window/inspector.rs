@@ -8,13 +8,13 @@ mod vary;
 use egui::{Grid, Ui};
 
 pub use self::pixel::section;
-pub use self::scene::entity_of;
 use super::app::App;
 use super::desk::Desk;
-use super::panel::{camera_rows, file_rows, lesson_rows, picture_rows, time_rows};
+use super::panel::{camera_rows, file_rows, picture_rows, scene_rows, time_rows};
 use super::study::Study;
 use super::widgets::{INK, short, wait};
 use crate::questions::requires::{PartChange, ranked};
+use crate::scene::{LESSONS, title};
 
 /// A heading of the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -68,14 +68,14 @@ pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
     } = app;
     let world = &mut document.scene.world;
     match tab {
-        Tab::Lessons => lesson_rows(ui, &document.scene.name, desk),
+        Tab::Lessons => scene_rows(ui, &LESSONS, title, &document.scene.name, desk),
         Tab::Time => time_rows(ui, world, choice, study, time, desk),
         Tab::Pictures => picture_rows(ui, world, desk),
         Tab::Camera => camera_rows(ui, world, desk),
         Tab::Scene => {
             file_rows(ui, document, desk);
             ui.separator();
-            scene::tab(ui, document, desk);
+            scene::tab(ui, document, canvas, desk);
         }
         Tab::Pixel => pixel::tab(ui, world, canvas, study),
         Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),

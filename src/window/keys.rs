@@ -7,7 +7,7 @@ use egui::{Key, Modifiers};
 use super::inspector::Tab;
 use crate::components::{ShadingMode, Side, ViewMode};
 
-/// Everything that a key can do.
+/// Everything that a key or a button can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
     /// Switches the light of this place in the file, counted from 0.
@@ -45,6 +45,8 @@ pub enum Action {
     Rotate,
     /// Opens and closes a heading of the panel.
     Tab(Tab),
+    /// Opens the built-in scene of this name.
+    Open(&'static str),
     /// Goes to a later step of the lesson.
     Step(isize),
     Undo,

@@ -29,6 +29,8 @@ pub struct Labels<'a> {
     pub method: Option<Method>,
     /// The side on screen while the sides of a wipe take turns.
     pub turn: Option<usize>,
+    /// Whether the sides of a wipe have their names.
+    pub has_names: bool,
     /// Whether the curve along the row of the explained pixel is drawn.
     pub has_row: bool,
 }
@@ -37,8 +39,8 @@ impl Labels<'_> {
     /// Lays out the words over the picture, and marks the explained pixel.
     pub fn show(&self, ui: &mut Ui) {
         match self.viewer.show {
-            ViewMode::Picture => {}
-            ViewMode::Wipe => self.draw_sides(ui.painter()),
+            ViewMode::Wipe if self.has_names => self.draw_sides(ui.painter()),
+            ViewMode::Picture | ViewMode::Wipe => {}
             ViewMode::Terms => draw_terms(ui.painter(), self.place),
             ViewMode::Error | ViewMode::Tiles => {
                 let show = |ui: &mut Ui| legend(ui, self.viewer, self.canvas, self.facts);
@@ -111,7 +113,7 @@ impl Labels<'_> {
 }
 
 /// The names of the terms in the quarters of the picture.
-pub fn draw_terms(painter: &Painter, place: Rect) {
+fn draw_terms(painter: &Painter, place: Rect) {
     for (quarter, kind) in QUARTERS.into_iter().enumerate() {
         let name = kind.map_or("sum", LightKind::name);
         let share = vec2((quarter % 2) as f32, (quarter / 2) as f32) / 2.0;

@@ -3,22 +3,19 @@
 //!
 //! What opens, opens under a heading of the panel, or over the picture where the panel is folded. So the picture keeps its size.
 
-use egui::{
-    Area, Color32, Frame, Grid, Id, Label, Modal, Order, Panel, Popup, Rect, RichText, ScrollArea,
-    Ui, Vec2, vec2,
-};
+use egui::{Area, Color32, Frame, Id, Label, Order, Panel, Popup, Rect, RichText, Ui, Vec2};
 
 use super::app::App;
 use super::comparison::Worst;
 use super::controls::has_face_normals;
 use super::desk::Desk;
-use super::keys::{Action, BINDINGS, Binding, binding, caption_of};
-use super::lesson::{heading, text};
+use super::help::{about, help};
+use super::keys::{Action, binding};
+use super::lesson::heading;
 use super::panel::{headings, panel};
 use super::pictures::{side_method, sides};
 use super::tags::side_name;
-use super::widgets::{BAD, GOOD, INK, short};
-use super::words::{WORDS, about};
+use super::widgets::{BAD, GOOD, INK, short, text};
 use crate::components::{Light, LightKind, Mesh, ShadingMode, Side, ViewMode, Viewer, names};
 use crate::output::words::capital;
 use crate::questions::trade::verdict::method_name;
@@ -33,8 +30,6 @@ pub const NARROW: f32 = 560.0;
 pub const LOW: f32 = 450.0;
 /// In a higher window, in points, several headings are open at once.
 const HIGH: f32 = 900.0;
-/// The width of the words in the help, in points.
-const WORDS_WIDTH: f32 = 260.0;
 /// The width of the folded panel.
 const FOLDED: f32 = 22.0;
 /// The height of a row below the picture, in points.
@@ -73,8 +68,8 @@ impl App {
             self.desk.help = help(ui);
         }
         self.desk.takes_escape = ui.ctx().text_edit_focused() || Popup::is_any_open(ui.ctx());
-        for command in std::mem::take(&mut self.desk.commands) {
-            self.carry_out(command);
+        for action in std::mem::take(&mut self.desk.wishes) {
+            self.run(action);
         }
         self.note_changes();
         if was_drawn && !self.is_drawn() && self.study.facts.proof.is_current {
@@ -91,9 +86,10 @@ impl App {
         let status = status.exact_size(rows * ROW + 4.0);
         status.show_inside(ui, |ui| ui.horizontal_wrapped(|ui| self.status(ui)));
         if self.desk.panel_folded {
-            if is_opened(ui, Panel::left("folded panel"), "⏵", "Opens the panel (I).") {
-                self.desk.panel_folded = false;
-            }
+            let folded = Panel::left("folded panel").exact_size(FOLDED);
+            let button = folded.resizable(false).show_inside(ui, |ui| ui.button("⏵"));
+            let button = button.inner.on_hover_text("Opens the panel (I).");
+            self.desk.panel_folded = !button.clicked();
             return;
         }
         let is_below = size.x < NARROW;
@@ -292,59 +288,4 @@ fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<
         (_, 0) => Some(side_name(&Side::Reference, method)),
         _ => Some(side_name(&Side::Picture, method)),
     }
-}
-
-/// Lays out the list of keys. Returns whether it stays open.
-fn help(ui: &Ui) -> bool {
-    let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(Vec2::ZERO);
-    let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
-        ui.set_width(room.x.min(560.0 + WORDS_WIDTH));
-        ui.heading("Keys and words");
-        ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
-        ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
-        ui.weak("The divider of a wipe can be dragged, and so can the discs of lamps, in");
-        ui.weak("a wipe and while the scene is edited (E).");
-        let scroll = ScrollArea::both().max_height(room.y);
-        scroll.min_scrolled_height(room.y).show(ui, |ui| {
-            let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
-            ui.horizontal_top(|ui| {
-                key_table(ui, left);
-                ui.add_space(16.0);
-                key_table(ui, right);
-                ui.add_space(16.0);
-                ui.vertical(|ui| {
-                    ui.set_width(WORDS_WIDTH);
-                    ui.strong("Words");
-                    for (word, says) in WORDS {
-                        ui.label(word);
-                        ui.weak(says);
-                    }
-                });
-            });
-        });
-    });
-    !modal.should_close()
-}
-
-/// A table of keys; the name of its first section tells it from others.
-fn key_table(ui: &mut Ui, sections: &[(&str, &[Binding])]) {
-    Grid::new(sections[0].0).show(ui, |ui| {
-        for (section, rows) in sections {
-            ui.strong(*section);
-            ui.end_row();
-            for (name, _, keys) in *rows {
-                let keys: Vec<String> = keys.iter().map(caption_of).collect();
-                ui.label(*name);
-                ui.weak(keys.join("  "));
-                ui.end_row();
-            }
-        }
-    });
-}
-
-/// Lays out the folded panel. Returns whether its button was clicked.
-fn is_opened(ui: &mut Ui, panel: Panel, arrow: &str, says: &str) -> bool {
-    let folded = panel.exact_size(FOLDED).resizable(false);
-    let button = folded.show_inside(ui, |ui| ui.button(arrow).on_hover_text(says));
-    button.inner.clicked()
 }

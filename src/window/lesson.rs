@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Align, Button, FontId, Label, Layout, RichText, Ui, vec2};
+use egui::{Button, RichText, Ui};
 use hecs::World;
 
 use super::app::App;
@@ -19,12 +19,9 @@ use super::labels::Labels;
 use super::layout::message;
 use super::pictures::exact_view;
 use super::study::shows_exact;
-use super::widgets::{BAD, GOOD, INK, number, offer, short};
-use super::words::about;
+use super::widgets::{BAD, GOOD, INK, button, number, offer, segment_buttons, short, text};
 use crate::components::range::{Shininess, Strength};
-use crate::components::{
-    Light, Material, Name, Segments, ShadingMode, View, ViewMode, common, ordered, viewer,
-};
+use crate::components::{Light, Material, Name, ShadingMode, View, ViewMode, ordered, viewer};
 use crate::output::paint::{area, missing_letters};
 use crate::output::progress::with_bar;
 use crate::output::words::counted;
@@ -139,41 +136,6 @@ fn answers(ui: &mut Ui, question: &Question, desk: &mut Desk, letters: f32) {
     });
     let then = desk.answer.map_or("", |_| &question.then);
     text(ui, then, [&*question.then].into_iter(), letters);
-}
-
-/// Lays out a text, with room for the longest of several.
-pub fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letters: f32) {
-    let font = FontId::proportional(letters);
-    let width = ui.available_width();
-    let heights = all.map(|text| {
-        let text = ui
-            .painter()
-            .layout(text.to_owned(), font.clone(), INK, width);
-        text.size().y
-    });
-    let size = vec2(width, heights.fold(0.0, f32::max));
-    ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
-        ui.set_min_size(size);
-        let text = RichText::new(shown).font(font.clone()).color(INK);
-        ui.add(Label::new(text).wrap());
-    });
-}
-
-/// A button with words of its own for an action.
-pub fn button(ui: &mut Ui, desk: &mut Desk, words: &str, action: Action) {
-    let button = Button::new(words).shortcut_text(caption(action));
-    if ui.add(button).clicked() {
-        desk.wish(action);
-    }
-}
-
-/// Lays out the number of segments, between fewer and more.
-pub fn segment_buttons(ui: &mut Ui, world: &World, desk: &mut Desk) {
-    let count = common::<Segments>(world).unwrap_or_default().count();
-    button(ui, desk, "fewer", Action::Segments(-1));
-    ui.label(counted(count, "segment"))
-        .on_hover_text(about("segment"));
-    button(ui, desk, "more", Action::Segments(1));
 }
 
 /// Lays out a control of a step.
@@ -313,6 +275,7 @@ async fn picture(
         facts: &facts,
         method: Choice::default().method(&scene.world),
         turn: None,
+        has_names: true,
         has_row: step.show.contains(&Control::Row),
     };
     labels.draw(&mut pixels);

@@ -15,7 +15,7 @@ use crate::components::{
     Camera, Lens, Light, LightKind, Name, Transform, View, active_camera, in_file_order,
 };
 use crate::output::paint::color;
-use crate::questions::probe::ProbedSurface;
+use crate::questions::probe::Probe;
 use crate::systems::frame::display_pixel;
 
 /// No more discs than this are drawn.
@@ -161,16 +161,19 @@ pub fn drag_light(world: &mut World, view: &View, name: &str, by: Vec2) {
     }
 }
 
-/// Draws n, o, and the l and r of each light, from the probed pixel at `at`, as they are seen in the view, and a legend in a
+/// Draws n, o, and the l and r of each light, from the probed pixel, as they are seen in the view, and a legend in a
 /// corner of the picture.
 pub fn draw_arrows(
     painter: &egui::Painter,
-    at: Pos2,
-    surface: &ProbedSurface,
+    probe: &Probe,
     world: &World,
     canvas: &Canvas,
     corner: Align2,
 ) {
+    let Some(surface) = &probe.surface else {
+        return;
+    };
+    let at = canvas.place_of(probe.pixel);
     let [right, up, _] = Camera::of(world, active_camera(world)).axes();
     let mut row = corner.pos_in_rect(&canvas.place.shrink2(vec2(10.0, 14.0)));
     let step = if corner.y() == Align::TOP {

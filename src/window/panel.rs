@@ -5,8 +5,8 @@
 use std::path::Path;
 
 use egui::{
-    Align, Button, CollapsingHeader, ComboBox, Grid, Label, RichText, ScrollArea, TextEdit,
-    TextWrapMode, Ui, vec2,
+    Align, Button, CollapsingHeader, ComboBox, Grid, Label, RichText, ScrollArea, TextWrapMode, Ui,
+    vec2,
 };
 use hecs::{Entity, World};
 
@@ -14,22 +14,20 @@ use super::app::App;
 use super::chart::chart;
 use super::choice::Choice;
 use super::controls::{has_face_normals, set_tolerance, shows_picture};
-use super::desk::{Command, Desk};
+use super::desk::Desk;
 use super::document::Document;
+use super::help::about;
 use super::inspector::{HEADINGS, Tab, content};
 use super::keys::{Action, EXACT_SIDES, caption, keys};
-use super::lesson::{button, segment_buttons};
 use super::study::Study;
-use super::varied::common_keys;
-use super::widgets::{action_button, offer, scrolled, slider, slider_beside, vary_button};
-use super::words::about;
+use super::widgets::{action_button, button, offer, scrolled, segment_buttons, slider};
 use crate::components::range::Milliseconds;
 use crate::components::{
     Camera, Light, LightKind, Name, Projection, ShadingMode, Side, ViewMode, Viewer, names,
     ordered, viewer, viewer_mut,
 };
 use crate::questions::job::camera_name;
-use crate::scene::{BUILT_IN, EXTREMES, LESSONS, Scene, first_sentence, title};
+use crate::scene::{BUILT_IN, EXTREMES, first_sentence};
 
 /// The height of the outcome, in points: room for two lines, so that the rows below do not move.
 const OUTCOME: f32 = 34.0;
@@ -147,9 +145,7 @@ pub fn time_rows(
         let mut changed = tolerance;
         let least = Viewer::LEAST_TOLERANCE;
         let words = ["tolerance", "[ ]", about("tolerance")];
-        slider_beside(ui, words, &mut changed, 0.0..=255.0, least, |ui| {
-            vary_common(ui, world, "tolerance", desk);
-        });
+        slider(ui, words, &mut changed, 0.0..=255.0, least);
         if changed != tolerance {
             set_tolerance(world, if changed < least { 0.0 } else { changed });
         }
@@ -165,15 +161,6 @@ pub fn time_rows(
         ui.set_min_height(OUTCOME);
         ui.label(choice.outcome(&study.facts, time, budget));
     });
-}
-
-/// The button that varies one of the common numbers.
-fn vary_common(ui: &mut Ui, world: &World, name: &str, desk: &mut Desk) {
-    if vary_button(ui) {
-        let keys = common_keys(world).into_iter();
-        let key = keys.filter(|it| it.0 == name).map(|it| it.1).next();
-        desk.commands.extend(key.map(Command::Vary));
-    }
 }
 
 /// A row for each light.
@@ -260,8 +247,6 @@ pub fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
             }
         });
         ui.weak(caption(Action::NextCamera));
-        ui.label("distance");
-        vary_common(ui, world, "distance", desk);
     });
     let Viewer {
         mut projection,
@@ -282,36 +267,34 @@ pub fn camera_rows(ui: &mut Ui, world: &mut World, desk: &mut Desk) {
     });
 }
 
-/// The lessons in their order, by their titles.
-pub fn lesson_rows(ui: &mut Ui, open: &str, desk: &mut Desk) {
-    for (name, text) in LESSONS {
-        let row = ui.selectable_label(open == name, title(name));
+/// Rows of built-in scenes, each with its words. A click opens one.
+pub fn scene_rows(
+    ui: &mut Ui,
+    scenes: &[(&'static str, &str)],
+    words: fn(&str) -> String,
+    open: &str,
+    desk: &mut Desk,
+) {
+    for (name, text) in scenes {
+        let row = ui.selectable_label(open == *name, words(name));
         if row.on_hover_text(first_sentence(text)).clicked() {
-            open_scene(name, desk);
+            desk.wish(Action::Open(name));
         }
-    }
-}
-
-/// Opens a built-in scene.
-fn open_scene(name: &str, desk: &mut Desk) {
-    match Scene::load(Some(name)) {
-        Ok(scene) => desk.commands.push(Command::Open(Box::new(scene))),
-        Err(error) => desk.say(error.to_string()),
     }
 }
 
 /// The list of scenes, undo, and the scene's file.
 pub fn file_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
     let scenes = CollapsingHeader::new("other scenes");
-    let chosen = scenes.show_unindented(ui, |ui| {
+    scenes.show_unindented(ui, |ui| {
         let scroll = ScrollArea::vertical().id_salt("scenes").max_height(SCENES);
-        scroll
-            .show(ui, |ui| scene_list(ui, &document.scene.name))
-            .inner
+        scroll.show(ui, |ui| {
+            for (group, scenes) in [("scenes", &BUILT_IN[..]), ("extremes", EXTREMES)] {
+                ui.strong(group);
+                scene_rows(ui, scenes, str::to_owned, &document.scene.name, desk);
+            }
+        });
     });
-    if let Some(name) = chosen.body_returned.flatten() {
-        open_scene(name, desk);
-    }
     ui.horizontal_wrapped(|ui| {
         for action in [Action::Undo, Action::Redo, Action::Save] {
             offer(ui, desk, action, false);
@@ -333,36 +316,4 @@ fn path_row(ui: &mut Ui, action: Action, path: &Path) {
         .map(|it| it.unwrap_or_default().display().to_string());
     let text = RichText::new(format!("{key} writes {name} in {folder}")).weak();
     ui.add(Label::new(text).truncate());
-}
-
-/// Lays out the built-in scenes and extremes whose name or sentence has the typed words. Returns the chosen name.
-fn scene_list(ui: &mut Ui, open: &str) -> Option<&'static str> {
-    let id = ui.id().with("search");
-    let mut words: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-    ui.add(TextEdit::singleline(&mut words).hint_text("search"));
-    let mut chosen = None;
-    for (group, scenes) in [("scenes", &BUILT_IN[..]), ("extremes", EXTREMES)] {
-        ui.strong(group);
-        for (name, text) in scenes {
-            let says = first_sentence(text);
-            let lower = format!("{name} {says}").to_lowercase();
-            if words
-                .split_whitespace()
-                .any(|word| !lower.contains(&word.to_lowercase()))
-            {
-                continue;
-            }
-            let row = ui
-                .selectable_label(open == *name, *name)
-                .on_hover_text(says);
-            if row.clicked() {
-                chosen = Some(*name);
-            }
-        }
-    }
-    if chosen.is_some() {
-        words.clear();
-    }
-    ui.data_mut(|data| data.insert_temp(id, words));
-    chosen
 }

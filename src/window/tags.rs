@@ -5,9 +5,9 @@ use hecs::World;
 
 use super::desk::Desk;
 use super::facts::Facts;
+use super::help::about;
 use super::pictures::side_method;
 use super::widgets::INK;
-use super::words::about;
 use crate::components::{ShadingMode, Side, viewer, viewer_mut};
 use crate::output::words::capital;
 use crate::questions::trade::verdict::method_name;

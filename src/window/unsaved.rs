@@ -14,12 +14,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use anyhow::Context;
-use egui::{Align2, Area, Frame, Order, Rect, Ui};
+use egui::{Align2, Rect, Ui};
 use indicatif::HumanDuration;
 use web_time::SystemTime;
 
-use super::desk::{Command, Desk};
+use super::desk::Desk;
 use super::document::{Document, has_edits};
+use super::widgets::bar;
 use crate::output::Output;
 use crate::output::files;
 use crate::scene::{self, Scene, SceneRecord};
@@ -181,28 +182,24 @@ impl Document {
 }
 
 /// Offers the edits that a window left, at the top of `place`.
-pub fn edits_bar(ui: &Ui, document: &Document, place: Rect, desk: &mut Desk) {
+pub fn edits_bar(ui: &Ui, document: &mut Document, place: Rect, desk: &mut Desk) {
     let offer = document.unsaved.as_ref().and_then(|it| it.offer.as_ref());
     let Some((_, written)) = offer else {
         return;
     };
     let age = SystemTime::now().duration_since(*written);
     let age = HumanDuration(age.unwrap_or_default());
-    let bar = Area::new(ui.id().with("offer")).pivot(Align2::CENTER_TOP);
-    let bar = bar.fixed_pos(place.center_top()).constrain_to(place);
-    let bar = bar.order(Order::Foreground);
-    bar.show(ui.ctx(), |ui| {
-        ui.set_max_width(place.width());
-        Frame::side_top_panel(ui.style()).show(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                ui.label(format!("There are unsaved edits, {age} old."));
-                if ui.button("restore").clicked() {
-                    desk.commands.push(Command::RestoreEdits);
-                }
-                if ui.button("discard").clicked() {
-                    desk.commands.push(Command::DiscardEdits);
-                }
-            });
+    bar(ui, "offer", Align2::CENTER_TOP, place, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(format!("There are unsaved edits, {age} old."));
+            if ui.button("restore").clicked() {
+                document.restore_edits(desk.now);
+            }
+            if ui.button("discard").clicked()
+                && let Err(error) = document.discard_edits()
+            {
+                desk.say(format!("not discarded: {error:#}"));
+            }
         });
     });
 }

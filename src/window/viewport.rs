@@ -2,8 +2,8 @@
 
 use egui::color_picker::show_color;
 use egui::{
-    Align2, Area, Color32, Event, Frame, Order, PointerButton, Pos2, Rangef, Rect, Response,
-    RichText, Sense, Ui, Vec2, vec2,
+    Align2, Color32, Event, PointerButton, Pos2, Rangef, Rect, Response, RichText, Sense, Ui, Vec2,
+    vec2,
 };
 use hecs::World;
 
@@ -14,13 +14,13 @@ use super::document::Document;
 use super::error_map::{EDGE, NOTHING, draw_scale, position};
 use super::facts::Facts;
 use super::inspector::Tab;
-use super::labels::{Labels, draw_terms};
+use super::labels::Labels;
 use super::lights::{discs, draw_arrows};
 use super::pictures::TINTS;
 use super::tags::tags;
 use super::unsaved::edits_bar;
 use super::vertices::{mark_triangle, mark_vertices};
-use super::widgets::{BAD, tag, wait};
+use super::widgets::{BAD, bar, tag};
 use crate::components::{
     FileOrder, Lens, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
 };
@@ -30,8 +30,6 @@ use crate::shading::SquareKind;
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
-/// The corner of the legend of squares and errors.
-const LEGEND: Align2 = Align2::LEFT_BOTTOM;
 /// How far beside the divider a press still moves it, in points.
 const REACH: f32 = 10.0;
 /// From the upper end of the divider to its handle, in points.
@@ -84,24 +82,22 @@ impl App {
             let pixel = canvas.pixel_at(at);
             self.probe(pixel);
         }
-        if is_alone {
-            self.show_labels(ui);
-        } else {
-            self.draw_subjects(ui);
+        if !is_alone {
             self.draw_marks(ui);
         }
+        let Document { scene, step, .. } = &self.document;
+        let has_row = is_alone && scene.lesson[*step].show.contains(&Control::Row);
+        self.labels(&self.viewer(), is_alone, has_row).show(ui);
         self.bars(ui);
     }
 
-    /// Lays out the words of a lesson's picture.
-    fn show_labels(&self, ui: &mut Ui) {
-        let Document { scene, step, .. } = &self.document;
-        let has_row = scene.lesson[*step].show.contains(&Control::Row);
-        self.labels(&self.viewer(), has_row).show(ui);
-    }
-
-    /// The words of the picture on screen.
-    pub(super) fn labels<'a>(&'a self, viewer: &'a Viewer, has_row: bool) -> Labels<'a> {
+    /// The words of the picture on screen; `has_names`: also those of the sides of a wipe.
+    pub(super) fn labels<'a>(
+        &'a self,
+        viewer: &'a Viewer,
+        has_names: bool,
+        has_row: bool,
+    ) -> Labels<'a> {
         Labels {
             place: self.canvas.place,
             canvas: &self.canvas,
@@ -109,67 +105,36 @@ impl App {
             facts: &self.study.facts,
             method: self.method(),
             turn: self.desk.turn(),
+            has_names,
             has_row,
         }
     }
 
-    /// Draws the vertices, the names of the terms, and the outline of the selected cuboid.
-    fn draw_subjects(&self, ui: &Ui) {
-        let (world, canvas) = (&self.document.scene.world, &self.canvas);
-        let view = self.choice.view(world, canvas);
-        mark_vertices(ui.painter(), world, &view, canvas, self.method());
-        if viewer(world).show == ViewMode::Terms {
-            draw_terms(ui.painter(), canvas.place);
-        } else if self.desk.is_open(Tab::Scene)
-            && let ("cuboid", place) = self.desk.selected.unwrap_or(("cuboid", 0))
+    /// Draws the vertices, the outline of the selected cuboid, and what belongs to the explained pixel.
+    fn draw_marks(&self, ui: &Ui) {
+        let (world, canvas, desk) = (&self.document.scene.world, &self.canvas, &self.desk);
+        let (painter, view, show) = (ui.painter(), self.view(), self.viewer().show);
+        mark_vertices(painter, world, &view, canvas, self.method());
+        if desk.is_open(Tab::Scene)
+            && show != ViewMode::Terms
+            && let ("cuboid", place) = desk.selected.unwrap_or(("cuboid", 0))
         {
             outline(ui, world, &view, canvas, place);
         }
-    }
-
-    /// Draws the marks at the explained pixel, and the legend.
-    fn draw_marks(&self, ui: &Ui) {
-        let drawer = self.drawer_place();
-        let App {
-            document,
-            canvas,
-            study,
-            ..
-        } = self;
-        let world = &document.scene.world;
-        let viewer = viewer(world);
-        let has_legend = matches!(viewer.show, ViewMode::Error | ViewMode::Tiles);
-        if let Some(pixel) = canvas.pixel(&viewer) {
-            let at = canvas.place_of(pixel);
-            let section = &study.facts.section;
-            let probed = study.facts.probed(Some(pixel));
-            let probed = probed.filter(|_| section.is_current);
-            if let Some(surface) = probed.and_then(|probe| probe.surface.as_ref()) {
-                let is_free = |corner: &Align2| {
-                    let at = corner.pos_in_rect(&canvas.place);
-                    let is_taken = has_legend && *corner == LEGEND;
-                    !is_taken && !drawer.is_some_and(|it| it.contains(at))
-                };
-                let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::LEFT_TOP];
-                let corner = corners.into_iter().find(is_free).unwrap_or(corners[2]);
-                let view = self.choice.view(world, canvas);
-                mark_triangle(ui.painter(), surface, &view, canvas);
-                draw_arrows(ui.painter(), at, surface, world, canvas, corner);
-            }
-            draw_cross(ui.painter(), at);
-        }
-        if has_legend {
-            let corner = Area::new(ui.id().with("legend")).pivot(LEGEND);
-            let corner = corner.fixed_pos(LEGEND.pos_in_rect(&canvas.place));
-            corner.constrain_to(canvas.place).show(ui.ctx(), |ui| {
-                ui.set_max_width(canvas.place.width());
-                Frame::side_top_panel(ui.style()).show(ui, |ui| {
-                    legend(ui, &viewer, canvas, &study.facts);
-                    if viewer.show == ViewMode::Error {
-                        wait(ui, study, study.facts.comparison.is_current);
-                    }
-                });
-            });
+        let is_known = self.study.facts.section.is_current;
+        if let Some(probe) = self.probed().filter(|_| is_known)
+            && let Some(surface) = &probe.surface
+        {
+            mark_triangle(painter, surface, &view, canvas);
+            let drawer = self.drawer_place();
+            let is_covered = drawer.is_some_and(|it| it.max.x == canvas.place.max.x);
+            // The legend stands in the lower left corner.
+            let corner = match show {
+                _ if !is_covered => Align2::RIGHT_BOTTOM,
+                ViewMode::Error | ViewMode::Tiles => Align2::LEFT_TOP,
+                _ => Align2::LEFT_BOTTOM,
+            };
+            draw_arrows(painter, probe, world, canvas, corner);
         }
     }
 
@@ -192,15 +157,10 @@ impl App {
             tag(ui.painter(), Align2::CENTER_CENTER, at, &reason, BAD);
         }
         edits_bar(ui, document, canvas.place, desk);
-        // Over the picture, whose size would otherwise change twice, and over the drawer.
         if let Some(error) = &desk.file_error {
             let text = RichText::new(error).monospace().color(BAD);
-            let bar = Area::new(ui.id().with("error")).pivot(Align2::LEFT_BOTTOM);
-            let bar = bar.fixed_pos(canvas.place.left_bottom());
-            let bar = bar.constrain_to(canvas.place).order(Order::Foreground);
-            bar.show(ui.ctx(), |ui| {
-                ui.set_max_width(canvas.place.width());
-                Frame::side_top_panel(ui.style()).show(ui, |ui| ui.label(text))
+            bar(ui, "error", Align2::LEFT_BOTTOM, canvas.place, |ui| {
+                ui.label(text);
             });
         }
     }

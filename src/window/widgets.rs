@@ -4,16 +4,20 @@ use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::{
-    Align2, Button, Color32, Context, DragValue, FontId, Pos2, ProgressBar, Response, ScrollArea,
-    Sense, Slider, TextStyle, Theme, Ui, vec2,
+    Align, Align2, Area, Button, Color32, Context, DragValue, FontId, Frame, Label, Layout, Order,
+    Pos2, ProgressBar, Rect, Response, RichText, ScrollArea, Sense, Slider, TextStyle, Theme, Ui,
+    vec2,
 };
 use egui_plot::Plot;
 use glam::DVec3;
+use hecs::World;
 
 use super::desk::Desk;
+use super::help::about;
 use super::keys::{Action, binding, caption};
 use super::study::Study;
-use crate::components::ShadingMode;
+use crate::components::{Segments, ShadingMode, common};
+use crate::output::words::counted;
 pub use crate::output::words::{rounded, short};
 
 /// The colour of numbers.
@@ -62,6 +66,23 @@ pub fn apply_style(context: &Context) {
         style.spacing.combo_width = 110.0;
         style.visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(200);
     });
+}
+
+/// A button with words of its own for an action.
+pub fn button(ui: &mut Ui, desk: &mut Desk, words: &str, action: Action) {
+    let button = Button::new(words).shortcut_text(caption(action));
+    if ui.add(button).clicked() {
+        desk.wish(action);
+    }
+}
+
+/// Lays out the number of segments, between fewer and more.
+pub fn segment_buttons(ui: &mut Ui, world: &World, desk: &mut Desk) {
+    let count = common::<Segments>(world).unwrap_or_default().count();
+    button(ui, desk, "fewer", Action::Segments(-1));
+    ui.label(counted(count, "segment"))
+        .on_hover_text(about("segment"));
+    button(ui, desk, "more", Action::Segments(1));
 }
 
 /// A button with the name and the key of an action, and its sentence as a tooltip.
@@ -124,40 +145,21 @@ fn keep_digits(value: &mut f64, before: f64) {
     }
 }
 
-/// The sentence about buttons that vary a number.
-pub const VARY: &str = "Shows the errors over the range of this number (\"Try a range\").";
-
-/// A button whose click shows a number against the error. Returns whether it was clicked.
-pub fn vary_button(ui: &mut Ui) -> bool {
-    let button = Button::new("📈").small().frame(false);
-    beside_number(ui, button)
-}
-
-/// A button beside a number, which Tab passes by on its way to the next number. Returns whether it was clicked.
-pub fn beside_number(ui: &mut Ui, button: Button<'_>) -> bool {
+/// A button beside a number that shows it against the error. Tab passes it by on its way to the next number. Returns whether
+/// it was clicked.
+pub fn vary_button(ui: &mut Ui, button: Button<'_>) -> bool {
+    let says = "Shows the errors over the range of this number (\"Try a range\").";
     let button = ui.add(button.sense(Sense::CLICK));
-    button.on_hover_text(VARY).clicked()
+    button.on_hover_text(says).clicked()
 }
 
 /// A slider for a number of any magnitude, between its name and its keys. `smallest` is the smallest number above 0.
 pub fn slider(
     ui: &mut Ui,
-    words: [&str; 3],
-    value: &mut f64,
-    range: RangeInclusive<f64>,
-    smallest: f64,
-) {
-    slider_beside(ui, words, value, range, smallest, |_| ());
-}
-
-/// A slider before another widget.
-pub fn slider_beside(
-    ui: &mut Ui,
     [name, keys, says]: [&str; 3],
     value: &mut f64,
     range: RangeInclusive<f64>,
     smallest: f64,
-    beside: impl FnOnce(&mut Ui),
 ) {
     let (before, (least, most)) = (*value, range.clone().into_inner());
     ui.horizontal(|ui| {
@@ -174,7 +176,6 @@ pub fn slider_beside(
             *value = rounded(*value, 1).clamp(least, most);
         }
         ui.weak(keys);
-        beside(ui);
     });
 }
 
@@ -189,6 +190,24 @@ pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
     }
 }
 
+/// Lays out a text, with room for the longest of several.
+pub fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letters: f32) {
+    let font = FontId::proportional(letters);
+    let width = ui.available_width();
+    let heights = all.map(|text| {
+        let text = ui
+            .painter()
+            .layout(text.to_owned(), font.clone(), INK, width);
+        text.size().y
+    });
+    let size = vec2(width, heights.fold(0.0, f32::max));
+    ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
+        ui.set_min_size(size);
+        let text = RichText::new(shown).font(font.clone()).color(INK);
+        ui.add(Label::new(text).wrap());
+    });
+}
+
 /// Words on a dark ground that can be read over any picture.
 pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Color32) {
     let text = painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), ink);
@@ -196,6 +215,16 @@ pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Co
     let ground = Color32::from_black_alpha(170);
     painter.rect_filled(place.expand2(vec2(4.0, 2.0)), 3.0, ground);
     painter.galley(place.min, text, ink);
+}
+
+/// Lays out widgets on a ground of their own, over everything else at a side of `place`.
+pub fn bar(ui: &Ui, name: &str, side: Align2, place: Rect, widgets: impl FnOnce(&mut Ui)) {
+    let bar = Area::new(ui.id().with(name)).pivot(side);
+    let bar = bar.fixed_pos(side.pos_in_rect(&place)).constrain_to(place);
+    bar.order(Order::Foreground).show(ui.ctx(), |ui| {
+        ui.set_max_width(place.width());
+        Frame::side_top_panel(ui.style()).show(ui, widgets);
+    });
 }
 
 /// Lays out widgets in the room that is left. It scrolls, also to the widget that has just got the keyboard's focus.

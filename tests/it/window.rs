@@ -32,7 +32,7 @@ use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::desk::{Command, Desk};
+use shadetrade::window::desk::Desk;
 use shadetrade::window::document::Document;
 use tempfile::TempDir;
 
@@ -100,8 +100,7 @@ impl Window {
 
     /// Opens a scene as the list of scenes does.
     fn choose(&mut self, scene: Scene) {
-        let wish = Command::Open(Box::new(scene));
-        self.app.desk.commands.push(wish);
+        self.app.open_scene(scene);
         self.step(Vec::new());
     }
 

@@ -5,8 +5,7 @@ use egui::{CollapsingHeader, Color32, Grid, Label, RichText, ScrollArea, StrokeK
 use egui_plot::{Line, LineStyle, Plot, VLine};
 use hecs::World;
 
-use crate::components::range::Shininess;
-use crate::components::{Material, Name, ShadingMode, viewer, viewer_mut};
+use crate::components::{ShadingMode, viewer, viewer_mut};
 use crate::output::paint::color;
 use crate::output::words::CHANNELS;
 use crate::questions::metrics::displayed;
@@ -14,18 +13,17 @@ use crate::questions::probe::{Probe, ProbedSurface};
 use crate::systems::frame::display_pixel;
 use crate::window::canvas::Canvas;
 use crate::window::study::Study;
-use crate::window::widgets::{BAD, GOURAUD, PHONG, slider, still, wait};
+use crate::window::widgets::{BAD, GOURAUD, PHONG, still, wait};
 
 /// The height of the levels along the row, in points.
 const PLOT: f32 = 150.0;
 /// The width of a letter of the numbers, in font sizes.
 const LETTER: f32 = 0.61;
-const SHININESS: [&str; 3] = ["shininess", "", "The exponent of the highlight, 0 to 1e6."];
 
 /// The broad line of the picture, under the others.
 const DRAWN: Color32 = Color32::from_gray(90);
 
-/// Lays out the tab. It writes the shininess of the cuboid.
+/// Lays out the tab.
 pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
     let pixel = canvas.pixel(&viewer(world));
     let Some([x, y]) = pixel else {
@@ -70,12 +68,6 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
         x,
         surface,
     );
-    let mut cuboids = world.query::<(&Name, &mut Material)>();
-    let cuboid = cuboids.iter().find(|(name, _)| name.0 == *object);
-    if let Some((_, material)) = cuboid {
-        let range = Shininess::RANGE;
-        slider(ui, SHININESS, &mut material.shininess, range, 0.1);
-    }
     let lines = probe.lines();
     let numbers = CollapsingHeader::new("every number");
     numbers.show_unindented(ui, |ui| {

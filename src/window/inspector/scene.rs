@@ -12,9 +12,11 @@ use toml::Value;
 use crate::components::{names, range};
 use crate::scene::SceneRecord;
 use crate::scene::key::{Key, tree};
-use crate::window::desk::{Command, Desk, EntityPlace};
+use crate::window::canvas::Canvas;
+use crate::window::controls::step_back;
+use crate::window::desk::{Desk, EntityPlace};
 use crate::window::document::Document;
-use crate::window::widgets::{beside_number, color_button, number, vary_button};
+use crate::window::widgets::{color_button, number, vary_button};
 
 /// The keys that have a colour picker.
 const COLORS: [&str; 4] = ["ambient", "diffuse", "specular", "color"];
@@ -30,7 +32,7 @@ const NARROW: f32 = 240.0;
 pub const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// Lays out the tab. An edit replaces the World.
-pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
+pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &mut Canvas, desk: &mut Desk) {
     // The three numbers of a colour fit into a narrow inspector.
     let spacing = ui.spacing_mut();
     spacing.interact_size.x = 16.0;
@@ -72,7 +74,9 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
     Grid::new("scene").show(ui, |ui| {
         row(ui, &key, &mut background, &record, &mut varied);
     });
-    desk.commands.extend(varied.map(Command::Vary));
+    if let Some(key) = varied {
+        desk.vary(key, &record);
+    }
     let adds = copies || adds_cuboid || adds_light;
     if adds || deletes || [&own, &background] != [&before[0], &before[1]] {
         // With the changes of this layout.
@@ -110,7 +114,9 @@ pub fn tab(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
                 document.restore(&record);
                 desk.message = None;
                 if adds {
-                    desk.commands.push(Command::StepBack);
+                    // What was added comes in sight.
+                    canvas.fit_again();
+                    step_back(&mut document.scene.world, canvas.wide_size());
                 }
             }
             // A drag passes numbers that go together with others no longer, such as an `up` along the view.
@@ -143,15 +149,6 @@ fn names_of<'a>(
         "light" => Box::new(record.light.iter().map(|it| &*it.name)),
         _ => Box::new(record.camera.iter().map(|it| &*it.name)),
     }
-}
-
-/// The entity that a key is of, if it is there.
-pub fn entity_of(key: &Key, record: &SceneRecord) -> Option<EntityPlace> {
-    let kinds = ["cuboid", "light", "camera"].into_iter();
-    let kind = kinds.into_iter().find(|kind| key.is_of(kind))?;
-    let name = key.parts().get(1)?;
-    let place = names_of(record, kind).position(|own| own == name)?;
-    Some((kind, place))
 }
 
 /// An entity as TOML.
@@ -267,7 +264,7 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: 
         Value::Array(numbers) => {
             for (number, name) in numbers.iter_mut().zip(names) {
                 let letter = Button::new(&name).small().frame_when_inactive(false);
-                if beside_number(ui, letter) {
+                if vary_button(ui, letter) {
                     *varied = Some(key.child(&name));
                 }
                 number_field(ui, key.last(), number);
@@ -275,7 +272,7 @@ fn row(ui: &mut Ui, key: &Key, value: &mut Value, record: &SceneRecord, varied: 
         }
         value => {
             number_field(ui, key.last(), value);
-            if vary_button(ui) {
+            if vary_button(ui, Button::new("📈").small().frame(false)) {
                 *varied = Some(key.clone());
             }
         }

@@ -7,7 +7,7 @@ use egui::{Key, Modifiers, Pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, View, common_mode};
+use shadetrade::components::{ShadingMode, Side, View, common_mode};
 use shadetrade::output::Monitor;
 use shadetrade::questions::requires::without;
 use shadetrade::scene::{Scene, SceneRecord};
@@ -237,11 +237,12 @@ fn work_that_is_dropped_ends() {
 fn ask(study: &mut Study, probed: bool, rests: bool, desk: &Desk) {
     let mut record = SceneRecord::of(&default_scene().world);
     record.view.pixel = probed.then_some([0.0; 2]);
+    let pixel = record.view.pixel_in(SMALL, SMALL[1] as f64);
     let subject = Subject {
         name: "default",
         view: View::of(&record.spawn(), SMALL),
         fit: 1.0,
-        pixel: record.view.pixel_in(SMALL, SMALL[1] as f64),
+        pixel: pixel.map(|it| (it, Side::Picture)),
         record: &Arc::new(record),
         method: None,
         workers: &Workers::alone(Level::new()),

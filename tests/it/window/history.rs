@@ -7,7 +7,7 @@ use egui::Key::{self, ArrowLeft, C, CloseBracket, F4, Num2, O, P, Plus, W};
 use egui::Modifiers;
 use shadetrade::components::{LightKind, Side};
 use shadetrade::scene::SceneRecord;
-use shadetrade::window::history::{State, history};
+use shadetrade::window::document::{State, history};
 
 use super::{PAUSE, Window};
 use crate::support::records;

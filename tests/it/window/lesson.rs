@@ -73,7 +73,7 @@ fn the_picture_keeps_its_size_from_step_to_step() {
 #[test]
 fn a_lesson_is_alone_until_a_key_brings_the_rest() {
     let mut harness = widgets(open().app, SIZE);
-    let rest = ["help", "Proof"];
+    let rest = ["help", "Why?"];
     assert!(shows(&harness, "White light.") && shows(&harness, "1 of 2"));
     assert!(rest.iter().all(|it| !shows(&harness, it)));
     press(&mut harness, Key::I);
@@ -135,7 +135,7 @@ fn the_last_step_leads_to_the_next_lesson_and_escape_leaves() {
     assert!(shows(&harness, "1 of "));
     press(&mut harness, Key::Escape);
     assert_eq!(harness.state().document.scene.name, BUILT_IN[0].0);
-    assert!(shows(&harness, "Proof"));
+    assert!(shows(&harness, "Why?"));
 }
 
 #[test]

@@ -11,8 +11,9 @@ use hecs::World;
 use shadetrade::components::NormalMode::Face;
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
 use shadetrade::components::{
-    Light, ShadingMode, View, ViewMode, common_mode, ordered, viewer_mut,
+    Light, ShadingMode, Side, View, ViewMode, common_mode, ordered, viewer_mut,
 };
+use shadetrade::output::paint::area;
 use shadetrade::questions::trade::verdict::method_name;
 use shadetrade::scene::SceneRecord;
 use shadetrade::shading::Method;
@@ -52,10 +53,10 @@ fn a_document_notes_edits_names_what_is_undone_and_takes_back_what_no_scene_may_
     assert_eq!(document.note(), None);
     document.keep(Duration::from_secs(1), true);
     assert!(document.is_edited() && document.title().contains('*'));
-    assert_eq!(document.undo(), "undo: light.*.gain");
+    assert_eq!(document.travel(true), "undo: light.*.gain");
     assert_eq!(document.note(), None);
     assert_eq!(document.state, start);
-    assert_eq!(document.redo(), "redo: light.*.gain");
+    assert_eq!(document.travel(false), "redo: light.*.gain");
     document.note();
     let edited = Arc::clone(&document.state);
     viewer_mut(&mut document.scene.world).tolerance = -1.0;
@@ -166,6 +167,7 @@ fn a_canvas_shows_the_comparison_of_the_present_picture_alone() {
         let state = record_after(|it| (it.view.show, it.view.sides) = (show, EXACT_SIDES));
         let mut world = state.spawn();
         let mut canvas = Canvas::new(Workers::alone(Level::new()));
+        canvas.place = area(VIEW);
         let view = View::of(&world, VIEW);
         let drawn = canvas.draw(Duration::ZERO, &mut world, &state, view);
         drawn.expect("a small picture fits");
@@ -240,7 +242,7 @@ fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method(
         record: &record,
         view: View::of(&record.spawn(), VIEW),
         fit: 1.0,
-        pixel: Some([32, 24]),
+        pixel: Some(([32, 24], Side::Picture)),
         method: Some(Method::of(Gouraud, 0.5)),
         workers: &Workers::alone(Level::new()),
         rests: false,

@@ -189,7 +189,7 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
         change(&mut harness);
         assert!(record(&harness) != before, "{name}");
         harness.state_mut().document.keep(PAUSE, true);
-        harness.state_mut().document.undo();
+        harness.state_mut().document.travel(true);
         harness.run_ok();
         assert!(record(&harness) == before, "{name}");
     }
@@ -386,34 +386,6 @@ pub fn numbers_are_typed_within_their_range() {
     harness.run_ok();
     click_inside(&mut harness, "diffuse");
     assert_eq!(record(&harness).light[3].position, Some(DVec3::ZERO));
-}
-
-/// A window with the middle pixel probed, and a harness that has laid out the same.
-fn probed() -> (Window, Harness<'static, App>) {
-    let open = || {
-        let mut window = Window::of(default_scene(), SIZE);
-        window.click(window.app.canvas.place.center());
-        window.step(Vec::new());
-        window
-    };
-    (open(), widgets(open().app, SIZE))
-}
-
-#[test]
-fn the_shininess_beside_the_section_is_the_cuboids_and_undone_like_any_edit() {
-    let (mut window, harness) = probed();
-    let before = window.record();
-    window.wait(PAUSE);
-    window.click(number(&harness, "shininess", 0));
-    window.press_with(Modifiers::COMMAND, Key::A);
-    window.enter("5");
-    window.press(Key::Enter);
-    assert_eq!(window.record().cuboid[0].material.shininess, 5.0);
-    let surface = window.app.probed().and_then(|probe| probe.surface.clone());
-    let shininess = surface.expect("a cuboid").material.shininess;
-    assert_eq!(shininess, 5.0, "the section follows");
-    window.undo();
-    assert_eq!(window.record(), before);
 }
 
 #[test]

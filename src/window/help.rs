@@ -1,7 +1,14 @@
-//! The words of the window, each with its sentence: in the help, and as tooltips where they stand.
+//! The help: every key, and the words of the window, each with its sentence. The sentences are tooltips, too.
+
+use egui::{Grid, Id, Modal, ScrollArea, Ui, Vec2, vec2};
+
+use super::keys::{BINDINGS, Binding, caption_of};
+
+/// The width of the words, in points.
+const WORDS_WIDTH: f32 = 260.0;
 
 /// The words that a beginner needs, in the order of the help.
-pub const WORDS: [(&str, &str); 19] = [
+const WORDS: [(&str, &str); 19] = [
     (
         "vertex",
         "A corner: of a cuboid, or of the grid of segments on its faces.",
@@ -81,4 +88,52 @@ pub const WORDS: [(&str, &str); 19] = [
 pub fn about(word: &str) -> &'static str {
     let found = WORDS.iter().find(|(own, _)| *own == word);
     found.map_or("", |(_, says)| says)
+}
+
+/// Lays out the list of keys. Returns whether it stays open.
+pub fn help(ui: &Ui) -> bool {
+    let room = (ui.ctx().content_rect().size() - vec2(60.0, 120.0)).max(Vec2::ZERO);
+    let modal = Modal::new(Id::new("help")).show(ui.ctx(), |ui| {
+        ui.set_width(room.x.min(560.0 + WORDS_WIDTH));
+        ui.heading("Keys and words");
+        ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
+        ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
+        ui.weak("The divider of a wipe can be dragged, and so can the discs of lamps, in");
+        ui.weak("a wipe and while the scene is edited (E).");
+        let scroll = ScrollArea::both().max_height(room.y);
+        scroll.min_scrolled_height(room.y).show(ui, |ui| {
+            let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);
+            ui.horizontal_top(|ui| {
+                key_table(ui, left);
+                ui.add_space(16.0);
+                key_table(ui, right);
+                ui.add_space(16.0);
+                ui.vertical(|ui| {
+                    ui.set_width(WORDS_WIDTH);
+                    ui.strong("Words");
+                    for (word, says) in WORDS {
+                        ui.label(word);
+                        ui.weak(says);
+                    }
+                });
+            });
+        });
+    });
+    !modal.should_close()
+}
+
+/// A table of keys; the name of its first section tells it from others.
+fn key_table(ui: &mut Ui, sections: &[(&str, &[Binding])]) {
+    Grid::new(sections[0].0).show(ui, |ui| {
+        for (section, rows) in sections {
+            ui.strong(*section);
+            ui.end_row();
+            for (name, _, keys) in *rows {
+                let keys: Vec<String> = keys.iter().map(caption_of).collect();
+                ui.label(*name);
+                ui.weak(keys.join("  "));
+                ui.end_row();
+            }
+        }
+    });
 }
