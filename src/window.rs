@@ -10,6 +10,7 @@
 
 mod actions;
 pub mod app;
+mod ask;
 pub mod canvas;
 pub mod chart;
 pub mod choice;
@@ -31,6 +32,7 @@ pub mod labels;
 mod layout;
 pub mod lesson;
 pub mod lights;
+mod opening;
 pub mod panel;
 pub mod pictures;
 #[cfg(not(target_family = "wasm"))]
@@ -40,10 +42,10 @@ pub mod screen;
 pub mod study;
 mod tags;
 pub mod unsaved;
-pub mod varied;
 mod vertices;
 mod viewport;
 pub mod widgets;
+pub mod work;
 
 #[cfg(not(target_family = "wasm"))]
 pub use display::{NoWindow, restart_in_fit_environment};

@@ -279,6 +279,16 @@ impl Proof {
         self.covered = count(|mark| mark.is_covered);
     }
 
+    /// The proof of this picture and another one.
+    #[must_use]
+    pub fn and(mut self, other: Proof) -> Proof {
+        self.limit = self.limit.max(other.limit);
+        self.pixels += other.pixels;
+        self.append(other);
+        self.count();
+        self
+    }
+
     /// Adds the proof of the rows below.
     fn append(&mut self, below: Proof) {
         self.worst = self.worst.max(below.worst);

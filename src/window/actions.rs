@@ -8,9 +8,8 @@ use super::controls;
 use super::inspector::Tab;
 use super::keys::{self, Action, EXACT_SIDES};
 use super::pictures::sides;
+use super::viewport::CROSS;
 use crate::components::ViewMode;
-use crate::output::encode_png;
-use crate::output::files::write_numbered;
 use crate::scene::BUILT_IN;
 
 impl App {
@@ -72,7 +71,10 @@ impl App {
             Action::FaceNormals => controls::switch_normals(world),
             Action::Segments(steps) => self.desk.say_any(controls::step_segments(world, steps)),
             Action::Tolerance(steps) => self.desk.say_any(self.choice.step(world, steps)),
-            Action::HoldTime => self.choice.switch(world, &self.study.facts),
+            Action::HoldTime => {
+                self.choice.switch(world, &self.study.facts);
+                self.desk.open(Tab::Time);
+            }
             Action::NextProjection => controls::next_projection(world),
             Action::NextCamera => self.desk.say_any(controls::next_camera(world)),
             Action::View(mode) => controls::show(world, mode),
@@ -116,39 +118,6 @@ impl App {
         }
     }
 
-    fn save(&mut self, new: bool) {
-        match self.document.save(new) {
-            Ok(message) => {
-                self.desk.file_error = None;
-                self.desk.say(message);
-            }
-            Err(error) => self.desk.say(format!("not saved: {error:#}")),
-        }
-    }
-
-    /// The picture on screen: an error map with its scale, a wipe with its line and the names of its sides.
-    fn labelled_picture(&self) -> Vec<u32> {
-        let mut pixels = self.shown().into_owned();
-        let viewer = self.viewer();
-        let has_labels = matches!(viewer.show, ViewMode::Error | ViewMode::Wipe);
-        // Each of two pictures that blink, and one without a part, is another one than the map or the wipe.
-        if has_labels && self.desk.turn().is_none() && self.desk.shown_without().is_none() {
-            self.labels(&viewer, true, false).draw(&mut pixels);
-        }
-        pixels
-    }
-
-    /// Writes pixels as they are seen into a new PNG file.
-    fn save_pixels(&mut self, pixels: &[u32], size: [usize; 2]) {
-        let name = |number| format!("shadetrade-{number:03}.png");
-        let encoded = encode_png(pixels, size);
-        let folder = &self.document.folder;
-        match encoded.and_then(|file| write_numbered(folder, name, &file)) {
-            Ok(path) => self.desk.say(format!("saved {}", path.display())),
-            Err(error) => self.desk.say(format!("no picture saved: {error:#}")),
-        }
-    }
-
     /// Quits; with unsaved edits at the second press.
     fn quit(&mut self) {
         self.desk.quits = self.desk.is_warned || !self.document.is_edited();
@@ -167,6 +136,9 @@ impl App {
         }
         if self.is_lesson_alone() {
             return self.open(BUILT_IN[0].0);
+        }
+        if let Some(divider) = self.desk.divider.take() {
+            self.viewer_mut().divider = divider;
         }
         let is_closed = self.viewer_mut().pixel.take().is_some() || self.desk.tabs.pop().is_some();
         if !is_closed {
@@ -208,8 +180,8 @@ impl App {
         Some((index, both[index]))
     }
 
-    /// Explains the worst pixel of the picture, or of the side that errs more; and moves the divider where the other side hides it.
-    /// What is not known yet is awaited.
+    /// Explains the worst pixel of the picture, or of the side that errs more. Where the other side hides it the divider moves, until
+    /// the pixel is closed. What is not known yet is awaited.
     pub(super) fn explain_worst(&mut self) {
         let Some((index, worst)) = self.worst() else {
             self.desk.awaits_worst = true;
@@ -223,11 +195,12 @@ impl App {
         let is_hidden = viewer.show == ViewMode::Wipe && usize::from(x >= column) != index;
         drop(viewer);
         if is_hidden {
-            // A tenth of the width beside it, so that its surroundings are seen.
-            let offset = if index == 0 { 0.1 } else { -0.1 };
-            let column = x as f64 + offset * self.canvas.size()[0] as f64;
+            // Beside the cross, so that the other side is seen near it, too.
+            let beside = f64::from(CROSS * self.canvas.scale);
+            let column = x as f64 + if index == 0 { beside } else { -beside };
             let divider = self.canvas.divider_at(column);
-            self.viewer_mut().divider = divider;
+            let before = std::mem::replace(&mut self.viewer_mut().divider, divider);
+            self.desk.divider.get_or_insert(before);
         }
         self.probe([x, y]);
         self.desk.open(Tab::Pixel);

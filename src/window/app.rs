@@ -8,13 +8,13 @@
 //!                                 |             method       draws
 //!                                 '--change--> study  questions, facts
 //! ```
-//! Each room is a struct of its own and knows no other; [`App`] carries values between them.
+//! [`App`] owns these parts and carries values between them.
 
 use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Event, OutputCommand, RawInput, ViewportId};
+use egui::{Event, FullOutput, OutputCommand, RawInput, ViewportId};
 use hecs::{Ref, RefMut};
 
 use super::canvas::{Canvas, REST};
@@ -22,17 +22,17 @@ use super::choice::Choice;
 use super::controls::Rotation;
 use super::desk::{Desk, TURN};
 use super::document::Document;
+use super::facts::change;
 use super::file::INTERVAL;
 use super::inspector::Tab;
 use super::layout::{LOW, NARROW};
 use super::lesson::letters_warning;
 use super::pictures::or_dimmed;
-use super::study::{Background, Study, Subject, change};
+use super::study::{Runner, Study, Subject};
 use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::output::paint::{Painter, area};
 use crate::questions::job::Drawing;
 use crate::questions::probe::Probe;
-use crate::scene::Scene;
 use crate::shading::Method;
 
 /// Everything but the display.
@@ -65,7 +65,7 @@ impl App {
     ///
     /// # Errors
     /// If the system gives no threads.
-    pub fn new(drawing: Drawing, background: Background) -> anyhow::Result<Self> {
+    pub fn new(drawing: Drawing, runner: Runner) -> anyhow::Result<Self> {
         let canvas = Canvas::new(drawing.workers()?);
         let document = Document::of(drawing.scene);
         let painter = Painter::default();
@@ -74,14 +74,16 @@ impl App {
         let mut desk = Desk {
             shows_times: true,
             panel_folded: width < NARROW && height < LOW,
-            tabs: explained_tab(&document),
             ..Desk::default()
         };
+        if document.state.view.pixel.is_some() {
+            desk.open(Tab::Pixel);
+        }
         desk.say_any(letters_warning(&document.scene.lesson));
         Ok(App {
             document,
             canvas,
-            study: Study::new(background)?,
+            study: Study::new(runner)?,
             choice: Choice::default(),
             desk,
             rotation: Rotation::default(),
@@ -143,8 +145,8 @@ impl App {
         let (viewer, facts) = (self.viewer(), &self.study.facts);
         if let Some(part) = self.desk.shown_without() {
             let known = facts.left_out.current().filter(|it| it.0 == part);
-            let known = known.map(|it| &*it.1);
-            return or_dimmed(known, self.canvas.pictures.frame.pixels());
+            let frame = self.canvas.pictures.frame.pixels();
+            return or_dimmed(known.map(|it| &*it.1), frame);
         }
         self.canvas.shown(&viewer, facts, self.desk.turn())
     }
@@ -187,27 +189,11 @@ impl App {
         size: [usize; 2],
         mut input: RawInput,
     ) -> anyhow::Result<StepOutput> {
-        self.desk.now = now;
-        self.canvas.rest(now);
-        self.receive(now);
-        let [begins, ends] = [true, false].map(|begins| has_gesture(&input, begins));
-        self.document.keep(now, begins);
-        let world = &mut self.document.scene.world;
-        self.rotation.go_on(world, now);
-        self.look_at_file(now);
-        input.time = Some(now.as_secs_f64());
+        let ends_gesture = has_gesture(&input, false);
+        self.prepare(now, size, &mut input);
         let context = self.painter.context.clone();
-        let scale = context.zoom_factor() * self.scale;
-        input.screen_rect = Some(area(size) / scale);
-        let viewport = input.viewports.entry(ViewportId::ROOT).or_default();
-        viewport.native_pixels_per_point = Some(self.scale);
-        for event in &mut input.events {
-            if let Event::PointerMoved(place) | Event::PointerButton { pos: place, .. } = event {
-                *place = (place.to_vec2() / scale).to_pos2();
-            }
-        }
         let mut output = context.run_ui(input, |ui| self.ui(ui));
-        self.document.keep(now, ends);
+        self.document.keep(now, ends_gesture);
         if let Err(error) = self.document.tend_edits(now) {
             self.desk.say(format!("{error:#}"));
         }
@@ -220,43 +206,55 @@ impl App {
         self.canvas.copy(&self.shown(), &mut pixels, size, ground);
         self.pixels = pixels;
         let commands = std::mem::take(&mut output.platform_output.commands);
-        let copied = |command| match command {
-            OutputCommand::CopyText(text) => Some(text),
-            _ => None,
-        };
+        let copied = commands
+            .into_iter()
+            .rev()
+            .find_map(|command| match command {
+                OutputCommand::CopyText(text) => Some(text),
+                _ => None,
+            });
+        let repaint_after = self.next_step(&output);
+        self.painter.paint(output, &mut self.pixels, size);
+        Ok(StepOutput {
+            copied,
+            repaint_after,
+        })
+    }
+
+    /// Brings everything up to the time of the step, and the events from pixels to points.
+    fn prepare(&mut self, now: Duration, size: [usize; 2], input: &mut RawInput) {
+        self.desk.now = now;
+        self.canvas.rest(now);
+        self.receive(now);
+        self.document.keep(now, has_gesture(input, true));
+        self.rotation.go_on(&mut self.document.scene.world, now);
+        self.look_at_file(now);
+        let scale = self.zoom() * self.scale;
+        input.time = Some(now.as_secs_f64());
+        input.screen_rect = Some(area(size) / scale);
+        let viewport = input.viewports.entry(ViewportId::ROOT).or_default();
+        viewport.native_pixels_per_point = Some(self.scale);
+        for event in &mut input.events {
+            if let Event::PointerMoved(place) | Event::PointerButton { pos: place, .. } = event {
+                *place = (place.to_vec2() / scale).to_pos2();
+            }
+        }
+    }
+
+    /// The time after which a step is wanted even if nothing happens.
+    fn next_step(&self, output: &FullOutput) -> Duration {
+        let (document, now) = (&self.document, self.desk.now);
         let viewport = output.viewport_output.get(&ViewportId::ROOT);
-        let due = self.document.edits_due();
+        let edits = document.edits_due();
         let waits = [
             viewport.map(|it| it.repaint_delay),
             (!self.canvas.rests()).then_some(REST),
             self.desk.blinks.map(|_| TURN / 10),
-            self.rotation.wait(&self.document.scene.world, now),
-            self.document.scene.path.as_ref().map(|_| INTERVAL),
-            due.map(|due| due.saturating_sub(now)),
+            self.rotation.wait(&document.scene.world, now),
+            document.scene.path.as_ref().map(|_| INTERVAL),
+            edits.map(|due| due.saturating_sub(now)),
         ];
-        let repaint_after = waits.into_iter().flatten().min();
-        self.painter.paint(output, &mut self.pixels, size);
-        Ok(StepOutput {
-            copied: commands.into_iter().rev().find_map(copied),
-            repaint_after: repaint_after.unwrap_or(Duration::MAX),
-        })
-    }
-
-    /// Reads the file of the scene again if another program changed it.
-    fn look_at_file(&mut self, now: Duration) {
-        let path = self.document.scene.path.as_deref();
-        match self.document.file.look(path, now) {
-            Some(Ok(scene)) => {
-                self.document.keep(now, true);
-                self.desk.file_error = None;
-                let message = self.document.reload(scene);
-                self.canvas.fit_again();
-                self.note_changes();
-                self.desk.say(message);
-            }
-            Some(Err(error)) => self.desk.file_error = Some(error),
-            None => {}
-        }
+        waits.into_iter().flatten().min().unwrap_or(Duration::MAX)
     }
 
     /// Notes the state that keys and widgets made. An explained pixel opens its heading.
@@ -265,8 +263,8 @@ impl App {
         let refused = self.document.note();
         self.desk.say_any(refused);
         let pixel = self.document.state.view.pixel;
-        if pixel != before && self.desk.tabs.is_empty() {
-            self.desk.tabs = explained_tab(&self.document);
+        if pixel.is_some() && pixel != before && self.desk.tabs.is_empty() {
+            self.desk.open(Tab::Pixel);
         }
     }
 
@@ -314,9 +312,8 @@ impl App {
     /// Outdates the facts that are not those of the picture to be drawn.
     fn outdate(&mut self) {
         if let Some((state, view)) = &self.canvas.drawn {
-            let change = change((state, view), (&self.document.state, &self.view()));
-            let pixel = self.pixel();
-            self.study.outdate(change, pixel);
+            let present = (&self.document.state, &self.view());
+            self.study.outdate(change((state, view), present));
         }
     }
 
@@ -325,12 +322,14 @@ impl App {
         let is_new = self.study.receive(now);
         let failure = self.study.take_failure();
         self.desk.say_any(failure);
-        if self.study.facts.section.is_current && std::mem::take(&mut self.desk.has_clicked) {
-            let surface = self.probed().and_then(|probe| probe.surface.as_ref());
-            if let Some(object) = surface.map(|surface| surface.object.clone()) {
-                let world = &self.document.scene.world;
-                self.desk.select::<Mesh>(world, "cuboid", &object);
-            }
+        let is_known = self.study.facts.section.is_current;
+        let clicked = self.probed().filter(|_| is_known && self.desk.has_clicked);
+        if let Some(probe) = clicked {
+            let object = probe.surface.as_ref().map(|it| it.object.clone());
+            self.desk.has_clicked = false;
+            let world = &self.document.scene.world;
+            self.desk
+                .select::<Mesh>(world, "cuboid", &object.unwrap_or_default());
         }
         if is_new && std::mem::take(&mut self.desk.awaits_worst) {
             self.explain_worst();
@@ -343,58 +342,6 @@ impl App {
         self.study.carry_on(piece);
         self.receive(now)
     }
-
-    /// Opens a file or a built-in scene by its name. If it has an error, the scene before stays.
-    pub fn open(&mut self, name: &str) {
-        match Scene::load(Some(name)) {
-            Ok(scene) => self.open_scene(scene),
-            Err(error) => self.desk.file_error = Some(error.to_string()),
-        }
-    }
-
-    /// Shows a scene. If the edits of the one before cannot be written, that stays.
-    pub fn open_scene(&mut self, scene: Scene) {
-        if let Err(error) = self.document.write_edits() {
-            return self.desk.say(format!("not opened: {error:#}"));
-        }
-        self.document.open(scene);
-        self.show_document();
-    }
-
-    /// Shows a document that was just opened.
-    fn show_document(&mut self) {
-        (self.desk.shows_rest, self.desk.answer) = (false, None);
-        self.desk
-            .say_any(letters_warning(&self.document.scene.lesson));
-        self.study.clear();
-        self.canvas.fit_again();
-        self.desk.awaits_worst = false;
-        self.desk.selected = None;
-        if self.document.state.view.pixel.is_some() {
-            self.desk.open(Tab::Pixel);
-        }
-        self.desk.file_error = None;
-    }
-
-    /// Writes unsaved edits before the window closes. If that fails, the window stays unless it `must` close.
-    ///
-    /// # Errors
-    /// If it must close and the edits cannot be written.
-    pub fn may_close(&mut self, must: bool) -> anyhow::Result<bool> {
-        let closed = self.document.write_edits();
-        if let (Err(error), false) = (&closed, must) {
-            self.desk.quits = false;
-            self.desk.say(format!("not closed: {error:#}"));
-            return Ok(false);
-        }
-        closed.map(|()| true)
-    }
-}
-
-/// The heading of the pixel that a scene explains.
-fn explained_tab(document: &Document) -> Vec<Tab> {
-    let pixel = document.state.view.pixel;
-    pixel.map(|_| Tab::Pixel).into_iter().collect()
 }
 
 /// Whether a key or the button goes down, or up.

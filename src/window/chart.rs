@@ -1,4 +1,4 @@
-//! The chart of error against time. A click on a dot chooses its method.
+//! The tab of time and error: what is held, and the chart of error against time. A click on a dot chooses its method.
 //!
 //! ```text
 //! error |  o-+                dot: a method; bar: the interval of its time
@@ -14,15 +14,18 @@ use egui::{
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 use hecs::World;
 
+use super::app::App;
 use super::choice::Choice;
-use super::controls::choose_method;
+use super::controls::{choose_method, set_tolerance};
+use super::help::about;
+use super::keys::Action;
 use super::study::Study;
-use super::widgets::{GOURAUD, INK, PHONG, mode_ink, rounded, short};
-use crate::components::viewer;
+use super::widgets::{GOURAUD, INK, PHONG, mode_ink, offer, rounded, short, slider};
+use crate::components::range::Milliseconds;
+use crate::components::{Viewer, viewer};
 use crate::output::chart::ticks;
 use crate::output::words::capital;
 use crate::questions::trade::plot::{FLOOR, place_of, vertices};
-use crate::questions::trade::timing::clock_step;
 use crate::questions::trade::verdict::{UNSEEN, method_name, sentence};
 use crate::questions::trade::{Measurement, front, is_timed};
 use crate::shading::Method;
@@ -30,6 +33,8 @@ use crate::shading::Method;
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
 const SENTENCE: f32 = 66.0;
 const CHART: f32 = 190.0;
+/// The height of the words about a budget: room for two lines.
+const OUTCOME: f32 = 34.0;
 /// The room beside the chart, in points, into which half of the last time's label reaches.
 const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
@@ -43,10 +48,8 @@ const MOST: f64 = 500.0;
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
 /// The words on the band of errors above one level, and their room beside other words, in points.
-const BAND: &str = "off by 2 or more of 255";
-const BAND_ROOM: f32 = 110.0;
-/// The least step of a clock that is told, in ms.
-const SEEN_STEP: f64 = 0.001;
+const BAND: &str = "error above 1";
+const BAND_ROOM: f32 = 70.0;
 
 /// A time in ms and an error in levels on the axes, which are logarithmic. A clock that does not tell times apart gives 0.
 fn logarithms((time, error): (f64, f64)) -> [f64; 2] {
@@ -63,6 +66,47 @@ fn place(one: &Measurement, side: f64) -> [f64; 2] {
     logarithms(place_of(one, side))
 }
 
+/// Lays out the chart, and either the tolerance or the budget.
+pub fn tab(ui: &mut Ui, app: &mut App) {
+    let time = app.milliseconds();
+    let (world, study) = (&mut app.document.scene.world, &app.study);
+    let choice = &mut app.choice;
+    if app.desk.shows_times {
+        chart(ui, study, choice, world);
+    }
+    let Viewer {
+        budget, tolerance, ..
+    } = *viewer(world);
+    ui.horizontal_wrapped(|ui| {
+        let error = ui.selectable_label(budget.is_none(), "hold the error");
+        let says = "Every picture is drawn within the tolerance, however long it takes.";
+        if error.on_hover_text(says).clicked() {
+            choice.set_budget(world, None);
+        }
+        offer(ui, &mut app.desk, Action::HoldTime, budget.is_some());
+    });
+    let Some(budget) = budget else {
+        let mut changed = tolerance;
+        let least = Viewer::LEAST_TOLERANCE;
+        let words = ["tolerance", "[ ]", about("tolerance")];
+        slider(ui, words, &mut changed, 0.0..=255.0, least);
+        if changed != tolerance {
+            set_tolerance(world, if changed < least { 0.0 } else { changed });
+        }
+        return;
+    };
+    let mut changed = budget;
+    let words = ["budget, ms", "[ ]", about("budget")];
+    slider(ui, words, &mut changed, Milliseconds::RANGE, 0.001);
+    if changed != budget {
+        choice.set_budget(world, Some(changed));
+    }
+    ui.scope(|ui| {
+        ui.set_min_height(OUTCOME);
+        ui.label(choice.outcome(&study.facts, time, budget));
+    });
+}
+
 /// Shows the measured methods of this view. A click or Enter on a dot chooses one.
 pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
     let trade = &study.facts.trade;
@@ -74,13 +118,10 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
     let caption = match (trade.is_current, study.progress()) {
         (false, Some((step, _))) => step,
         (false, None) => "times follow".to_owned(),
-        _ => {
-            let axes = "up: error, levels; right: ms";
-            format!("{axes}{}", resolution(clock_step()))
-        }
+        _ => "up: error, levels; right: ms".to_owned(),
     };
-    let caption = Label::new(RichText::new(caption).small()).truncate();
-    ui.add(caption).on_hover_text(CAPTION);
+    let label = Label::new(RichText::new(caption).small()).truncate();
+    ui.add(label).on_hover_text(CAPTION);
     let measured = trade.current().map_or(&[][..], |it| &it.methods).iter();
     let known: Vec<_> = measured.filter(|it| it.error.is_some()).cloned().collect();
     let mut axes = axes().width(ui.available_width() - BESIDE);
@@ -106,9 +147,10 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
         let letters = FontId::proportional(10.0);
         ui.painter().text(at, align, text, letters, ink).right_top()
     };
-    let end = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
-    let end = write(end + vec2(6.0, 0.0), Align2::LEFT_TOP, "Phong", PHONG);
-    if room.right() - end.x > BAND_ROOM {
+    let gap = vec2(6.0, 0.0);
+    let gouraud = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
+    let phong = write(gouraud + gap, Align2::LEFT_TOP, "Phong", PHONG);
+    if room.right() - phong.x > BAND_ROOM {
         write(room.right_top(), Align2::RIGHT_TOP, BAND, Color32::GRAY);
     }
     for one in &known {
@@ -122,14 +164,6 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
             ui.painter().circle_stroke(at, RING, line);
         }
     }
-}
-
-/// The step of the clock in words, if it is long enough to be seen.
-fn resolution(step: f64) -> String {
-    if step < SEEN_STEP {
-        return String::new();
-    }
-    format!(", clock {}", rounded(step, 1))
 }
 
 /// Compares the method on screen with its alternatives.
@@ -178,20 +212,26 @@ fn axes() -> Plot<'static> {
         ticks.into_iter().map(mark).collect()
     };
     let words = |mark: GridMark, _: &_| rounded(10_f64.powf(mark.value), 1).to_string();
-    let plot = Plot::new("trade").height(CHART).sense(Sense::hover());
-    let plot = plot.x_grid_spacer(marks).y_grid_spacer(marks);
-    let plot = plot.x_axis_formatter(words).y_axis_formatter(words);
-    let plot = plot.include_y(FLOOR.log10()).include_y(MOST.log10());
-    let plot = plot.grid_color(Color32::from_gray(58));
-    plot.show_crosshair(false).y_axis_min_width(34.0)
+    Plot::new("trade")
+        .height(CHART)
+        .sense(Sense::hover())
+        .x_grid_spacer(marks)
+        .y_grid_spacer(marks)
+        .x_axis_formatter(words)
+        .y_axis_formatter(words)
+        .include_y(FLOOR.log10())
+        .include_y(MOST.log10())
+        .grid_color(Color32::from_gray(58))
+        .show_crosshair(false)
+        .y_axis_min_width(34.0)
 }
 
 /// Draws the band of errors above one level, the staircase of best trades, and the dots and whiskers of the methods.
 fn draw(plot: &mut PlotUi, known: &[Measurement]) {
     let [_, least] = logarithms((1.0, 2.0 * UNSEEN));
-    let band = Span::new("", least..=MOST.log10()).axis(Axis::Y);
-    let band = band.fill(Color32::from_rgb(52, 34, 34));
-    plot.span(band.border_width(0.0));
+    let band = Span::new("", least..=MOST.log10());
+    let ground = Color32::from_rgb(52, 34, 34);
+    plot.span(band.axis(Axis::Y).fill(ground).border_width(0.0));
     let line = |points: Vec<[f64; 2]>, ink: Color32| {
         let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
@@ -204,8 +244,8 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
     let curve = vertices(known).into_iter().map(place).collect();
     plot.line(line(curve, GOURAUD.gamma_multiply(0.5)));
     for one in known {
-        let ink = mode_ink(one.method.mode);
-        let ink = ink.gamma_multiply(if one.on_front { 1.0 } else { 0.6 });
+        let strength = if one.on_front { 1.0 } else { 0.6 };
+        let ink = mode_ink(one.method.mode).gamma_multiply(strength);
         let [_, y] = place(one);
         if is_timed(one.method) {
             let ends = one.timing.interval.map(|time| logarithms((time, 1.0))[0]);

@@ -4,7 +4,7 @@
 use hecs::World;
 
 use super::canvas::Canvas;
-use super::controls::{choose_method, set_tolerance, step_tolerance};
+use super::controls::{set_tolerance, step_tolerance};
 use super::facts::Facts;
 use super::widgets::{rounded, short};
 use crate::components::range::Milliseconds;
@@ -22,6 +22,8 @@ const FIRST: f64 = 1.0;
 #[derive(Default)]
 pub struct Choice {
     held: Option<Method>,
+    /// The tolerance before the budget, which comes back when the error is held again.
+    before: Option<f64>,
 }
 
 impl Choice {
@@ -55,21 +57,21 @@ impl Choice {
         self.held.or_else(own)
     }
 
-    /// Holds this time, in milliseconds, or the error again: that of the method on screen.
-    pub fn set_budget(&self, world: &mut World, budget: Option<f64>) {
-        match (budget, self.held) {
-            (None, Some(method)) => choose_method(world, method),
-            (None, None) => viewer_mut(world).budget = None,
-            (Some(budget), _) => {
-                let (least, most) = Milliseconds::RANGE.into_inner();
-                set_tolerance(world, Viewer::TOLERANCE);
-                viewer_mut(world).budget = Some(rounded(budget.clamp(least, most), 1));
-            }
+    /// Holds this time, in milliseconds, or the error again, as before.
+    pub fn set_budget(&mut self, world: &mut World, budget: Option<f64>) {
+        let (before, tolerance) = (viewer(world).budget, viewer(world).tolerance);
+        if let Some(budget) = budget {
+            self.before = before.map_or(Some(tolerance), |_| self.before);
+            set_tolerance(world, Viewer::TOLERANCE);
+            let (least, most) = Milliseconds::RANGE.into_inner();
+            viewer_mut(world).budget = Some(rounded(budget.clamp(least, most), 1));
+        } else {
+            set_tolerance(world, self.before.take().unwrap_or(tolerance));
         }
     }
 
     /// Holds the time that the method on screen takes, with a little room, or the error again.
-    pub fn switch(&self, world: &mut World, facts: &Facts) {
+    pub fn switch(&mut self, world: &mut World, facts: &Facts) {
         let time = facts.measured_time(self.method(world));
         let next = time.map_or(FIRST, |time| 1.1 * time);
         let has_budget = viewer(world).budget.is_some();
@@ -77,9 +79,9 @@ impl Choice {
     }
 
     /// Goes to a coarser tolerance if `steps` is positive; with a budget, to a shorter time. Returns the limit that was reached.
-    pub fn step(&self, world: &mut World, steps: i32) -> Option<String> {
-        let budget = viewer(world).budget;
-        let Some(budget) = budget else {
+    pub fn step(&mut self, world: &mut World, steps: i32) -> Option<String> {
+        let held = viewer(world).budget;
+        let Some(budget) = held else {
             return step_tolerance(world, steps);
         };
         self.set_budget(world, Some(budget * STEP.powi(-steps)));

@@ -64,15 +64,20 @@ pub fn has_face_normals(world: &World) -> bool {
 
 /// Gives every cuboid face normals, or corner normals if all have face normals.
 pub fn switch_normals(world: &mut World) {
-    let normals = NormalMode::ALL[usize::from(!has_face_normals(world))];
+    let normals = if has_face_normals(world) {
+        NormalMode::Corner
+    } else {
+        NormalMode::Face
+    };
     overwrite(world, &normals);
 }
 
 /// Doubles the number of segments of every cuboid, or halves it if `steps` is negative.
 pub fn step_segments(world: &mut World, steps: i32) -> Option<String> {
     let present = common::<Segments>(world).unwrap_or_default().count() as f64;
-    let next = (present * f64::from(steps).exp2()).clamp(1.0, f64::from(*Segments::RANGE.end()));
-    let next = Segments::new(next as u32).unwrap_or_default();
+    let most = f64::from(*Segments::RANGE.end());
+    let count = (present * f64::from(steps).exp2()).clamp(1.0, most);
+    let next = Segments::new(count as u32).unwrap_or_default();
     if common(world) == Some(next) {
         return Some(format!("{} is the limit", counted(next.count(), "segment")));
     }

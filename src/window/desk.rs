@@ -2,9 +2,8 @@
 
 use std::time::Duration;
 
-use super::inspector::Tab;
+use super::inspector::{Tab, Varied};
 use super::keys::Action;
-use super::varied::Varied;
 use crate::questions::requires::Part;
 
 /// How long each of two pictures is shown while they take turns.
@@ -50,6 +49,8 @@ pub struct Desk {
     pub selected: Option<EntityPlace>,
     /// Whether a click waits until it is known which cuboid it shows. That one is selected then.
     pub has_clicked: bool,
+    /// The divider before it was moved off the worst pixel.
+    pub divider: Option<f64>,
     /// Whether the worst pixel is explained as soon as it is known.
     pub awaits_worst: bool,
     /// Whether the keyboard's focus is in a field, or came from one.

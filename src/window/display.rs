@@ -147,8 +147,10 @@ impl Display {
     /// # Errors
     /// If there is none.
     pub fn clipboard(&mut self) -> anyhow::Result<&mut arboard::Clipboard> {
-        let opened = self.clipboard.take();
-        let opened = opened.map_or_else(arboard::Clipboard::new, Ok)?;
+        let opened = match self.clipboard.take() {
+            Some(opened) => opened,
+            None => arboard::Clipboard::new()?,
+        };
         Ok(self.clipboard.insert(opened))
     }
 
@@ -212,7 +214,11 @@ impl Display {
         let Some((_, turned)) = self.window.get_scroll_wheel() else {
             return;
         };
-        let notch = [NOTCH, WAYLAND_NOTCH][usize::from(self.is_wayland)];
+        let notch = if self.is_wayland {
+            WAYLAND_NOTCH
+        } else {
+            NOTCH
+        };
         self.wheel += turned / notch;
         let notches = self.wheel.trunc();
         if notches != 0.0 {

@@ -242,10 +242,11 @@ fn change(before: &SceneRecord, after: &SceneRecord) -> String {
     let keys = key::differences(before, after);
     // The sides of a wipe follow the tolerance and the view, which name the change.
     let (sides, others): (Vec<_>, Vec<_>) = keys.into_iter().partition(|it| it.is_of("view.sides"));
-    let keys = if others.is_empty() { sides } else { others };
-    let common = keys.into_iter().reduce(|one, other| one.common(&other));
-    let common = common.filter(|it| !it.is_of("*"));
-    common.map_or_else(|| "several changes".to_owned(), |key| key.to_string())
+    let named = if others.is_empty() { sides } else { others };
+    match named.into_iter().reduce(|one, other| one.common(&other)) {
+        Some(key) if !key.is_of("*") => key.to_string(),
+        _ => "several changes".to_owned(),
+    }
 }
 
 /// Whether a state has edits that another one lacks. Switching lights and modes and moving the camera is looking.

@@ -1,28 +1,18 @@
-//! The facts about the picture, and the work in the background that finds them.
+//! The facts about the picture, and the changes that outdate them.
 
-use std::panic::{self, AssertUnwindSafe};
-use std::pin::Pin;
-use std::sync::mpsc::{self, Receiver};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::task::{Context as TaskContext, Waker};
-use std::time::Duration;
-
-use anyhow::{Context, anyhow};
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use web_time::Instant;
+use std::sync::Arc;
 
 use super::comparison::{Comparison, Worst};
+use super::document::is_another_scene;
 use super::pictures::side_method;
-use crate::components::Side;
-use crate::output::Monitor;
-use crate::output::finished;
-use crate::questions::job::all_cores;
+use crate::components::{Side, View};
 use crate::questions::probe::Probe;
 use crate::questions::prove::Proof;
 use crate::questions::requires::segments::FewestSegments;
 use crate::questions::requires::{Part, PartChanges};
 use crate::questions::trade::{Measured, Measurement};
 use crate::questions::vary::refined::Refined;
+use crate::scene::SceneRecord;
 use crate::shading::Method;
 
 /// The last value found, perhaps of an earlier picture.
@@ -56,10 +46,11 @@ impl<T> Latest<T> {
 /// The known facts.
 #[derive(Default)]
 pub struct Facts {
-    /// The pixels of a row on one face, from left to right.
-    pub section: Latest<Vec<Probe>>,
+    /// The pixels of a row on one face, from left to right, in the picture that is shown there.
+    pub section: Latest<(Side, Vec<Probe>)>,
     pub comparison: Latest<Comparison>,
-    pub proof: Latest<Proof>,
+    /// The proof of the picture, or of both sides of a wipe.
+    pub proof: Latest<([Side; 2], Proof)>,
     /// The picture without a part.
     pub left_out: Latest<(Part, Vec<u32>)>,
     /// It is current from its first rows on.
@@ -72,21 +63,24 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// After a change of the picture. If only its method changed, the trade stays current.
-    pub fn outdate(&mut self, is_same_view: bool) {
+    /// After a change of the picture. The trade is about all methods.
+    pub fn outdate(&mut self, change: Change) {
+        if change == Change::Nothing {
+            return;
+        }
         self.section.is_current = false;
         self.comparison.is_current = false;
         self.proof.is_current = false;
         self.left_out.is_current = false;
         self.required.is_current = false;
         self.segments.is_current = false;
-        self.trade.is_current &= is_same_view;
+        self.trade.is_current &= change == Change::Method;
     }
 
     /// The answer about a pixel, possibly of an earlier picture.
     pub fn probed(&self, pixel: Option<[usize; 2]>) -> Option<&Probe> {
-        let mut section = self.section.value.iter().flatten();
-        section.find(|probe| Some(probe.pixel) == pixel)
+        let (_, section) = self.section.value.as_ref()?;
+        section.iter().find(|probe| Some(probe.pixel) == pixel)
     }
 
     /// The measurement of a method in the present view.
@@ -114,123 +108,28 @@ impl Facts {
     }
 }
 
-/// The questions about a picture, in the order of their worth.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub enum Question {
-    /// The values at the probed pixel, and along its row on the face seen there.
-    Probe,
-    Compare,
-    /// It is asked while its tab is open.
-    Vary,
-    /// A part was clicked.
-    LeaveOut,
-    /// The timing of all methods, which takes less time than a proof.
-    Measure,
-    Prove,
-    Require,
-    CountSegments,
-    /// The timing again, for longer.
-    MeasureLonger,
+/// The change between two pictures that facts are about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    Nothing,
+    /// The same view is drawn by another method.
+    Method,
+    Scene,
 }
 
-/// The threads that answer questions, one a core: the window draws for a small part of the time.
-///
-/// # Errors
-/// If the system gives no threads.
-pub fn pool() -> anyhow::Result<ThreadPool> {
-    let pool = ThreadPoolBuilder::new().num_threads(all_cores()).build();
-    pool.context("cannot start the threads that compare and prove")
-}
-
-/// Stores a fact; returns the reason if there is none.
-type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
-
-/// The work on a question. It is cancelled when it is dropped, and ends within a row of the picture or a frame.
-pub struct Work {
-    pub question: Question,
-    pub begun: Instant,
-    /// Whether the picture has changed since.
-    pub is_late: bool,
-    pub answer: Receiver<Answer>,
-    /// The present step, and the share of it that is done, 0..=1.
-    progress: Arc<Mutex<(&'static str, f64)>>,
-    /// The work that no thread does, and the time at which it is to pause.
-    rest: Option<Pin<Box<dyn Future<Output = ()>>>>,
-    until: Arc<Mutex<Option<Instant>>>,
-}
-
-impl Work {
-    /// Lets a thread of `pool` answer a question; without a pool, [`Work::carry_on`] does.
-    pub fn begin<T: Send + 'static>(
-        pool: Option<&ThreadPool>,
-        question: Question,
-        place: fn(&mut Facts) -> &mut Latest<T>,
-        find: impl AsyncFnOnce(Monitor<'_>) -> anyhow::Result<T> + Send + 'static,
-    ) -> Work {
-        let progress = Arc::<Mutex<_>>::default();
-        let until = Arc::<Mutex<Option<Instant>>>::default();
-        let (tell, answer) = mpsc::channel::<Answer>();
-        // The progress lives as long as the work is wanted.
-        let wanted = Arc::downgrade(&progress);
-        let find = async move |is_due: Option<&(dyn Fn() -> bool + Sync)>| {
-            find(Monitor {
-                is_cancelled: &|| wanted.strong_count() == 0,
-                progress: &|step, share| {
-                    if let Some(progress) = wanted.upgrade() {
-                        *locked(&progress) = (step, share);
-                    }
-                },
-                is_due,
-            })
-            .await
-        };
-        let tell = move |found: anyhow::Result<T>| {
-            let answer = move |facts: &mut Facts| {
-                let reason = found.as_ref().err().map(|error| format!("{error:#}"));
-                place(facts).finish(found.ok());
-                reason
-            };
-            // Nobody listens if it was cancelled meanwhile.
-            let _ = tell.send(Box::new(answer));
-        };
-        let mut rest: Option<Pin<Box<dyn Future<Output = ()>>>> = None;
-        if let Some(pool) = pool {
-            pool.spawn(move || {
-                // A panic was reported, and must not leave the question open for ever.
-                let found = panic::catch_unwind(AssertUnwindSafe(|| finished(find(None))));
-                tell(found.unwrap_or_else(|_| Err(anyhow!("a fault of the program"))));
-            });
-        } else {
-            let until = Arc::clone(&until);
-            let is_due = move || locked(&until).is_some_and(|until| Instant::now() >= until);
-            rest = Some(Box::pin(async move { tell(find(Some(&is_due)).await) }));
-        }
-        Work {
-            question,
-            begun: Instant::now(),
-            is_late: false,
-            answer,
-            progress,
-            rest,
-            until,
-        }
+/// The change from one state and view to others.
+pub fn change(
+    (before, view_before): (&Arc<SceneRecord>, &View),
+    (after, view): (&Arc<SceneRecord>, &View),
+) -> Change {
+    let by_any_method = |view: &View| view.unshaded().with_tolerance(0.0);
+    if Arc::ptr_eq(before, after) && view == view_before {
+        Change::Nothing
+    } else if by_any_method(view) != by_any_method(view_before) || is_another_scene(before, after) {
+        Change::Scene
+    } else if view != view_before || before.cuboid != after.cuboid {
+        Change::Method
+    } else {
+        Change::Nothing
     }
-
-    /// Carries on work that no thread does: for `piece`, to the end of the row or the frame; or to the end of the work.
-    pub fn carry_on(&mut self, piece: Option<Duration>) {
-        *locked(&self.until) = piece.map(|piece| Instant::now() + piece);
-        let mut context = TaskContext::from_waker(Waker::noop());
-        self.rest
-            .take_if(|rest| rest.as_mut().poll(&mut context).is_ready());
-    }
-
-    /// The present step with its done share in words, and that share, 0..=1; `None` before the first step.
-    pub fn progress(&self) -> Option<(String, f64)> {
-        let (step, share) = *locked(&self.progress);
-        (!step.is_empty()).then(|| (format!("{step}, {:.0} %", share * 100.0), share))
-    }
-}
-
-fn locked<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
-    value.lock().unwrap_or_else(PoisonError::into_inner)
 }

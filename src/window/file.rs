@@ -69,8 +69,8 @@ impl SceneFile {
 
     /// The name of the next new file, without its ending and without a number.
     fn stem(&self) -> String {
-        let name = self.new_name.replace(char::is_control, "_");
-        let name = name.trim();
+        let typed = self.new_name.replace(char::is_control, "_");
+        let name = typed.trim();
         name.strip_suffix(".toml").unwrap_or(name).to_owned()
     }
 

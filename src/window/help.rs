@@ -98,8 +98,8 @@ pub fn help(ui: &Ui) -> bool {
         ui.heading("Keys and words");
         ui.weak("H or Esc closes this. Tab goes to the next control; most have a tooltip.");
         ui.weak("A click explains a pixel. Ctrl with +, - or 0 sizes the letters.");
-        ui.weak("The divider of a wipe can be dragged, and so can the discs of lamps, in");
-        ui.weak("a wipe and while the scene is edited (E).");
+        ui.weak("The line between two pictures can be dragged (F3, F4). So can the disc of a lamp, beside");
+        ui.weak("that line or while the scene is edited (E). An arrow points to a lamp outside: zoom out.");
         let scroll = ScrollArea::both().max_height(room.y);
         scroll.min_scrolled_height(room.y).show(ui, |ui| {
             let (left, right) = BINDINGS.split_at(BINDINGS.len() / 2);

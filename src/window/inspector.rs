@@ -2,15 +2,21 @@
 //! model, the proof, a number that is varied.
 
 mod pixel;
+mod row;
 mod scene;
 mod vary;
+mod view;
 
 use egui::{Grid, Ui};
 
 pub use self::pixel::section;
+pub use self::vary::Varied;
+pub use self::view::picture_action;
+use self::view::{camera_tab, pictures_tab};
 use super::app::App;
+use super::chart;
 use super::desk::Desk;
-use super::panel::{camera_rows, file_rows, picture_rows, scene_rows, time_rows};
+use super::panel::{file_rows, scene_rows};
 use super::study::Study;
 use super::widgets::{INK, short, wait};
 use crate::questions::requires::{PartChange, ranked};
@@ -57,21 +63,19 @@ pub const HEADINGS: [(Tab, &str, &str, &str); 9] = [
 
 /// Lays out what stands under a heading.
 pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
-    let time = app.milliseconds();
     let App {
         document,
         canvas,
         study,
-        choice,
         desk,
         ..
     } = app;
     let world = &mut document.scene.world;
     match tab {
+        Tab::Time => chart::tab(ui, app),
         Tab::Lessons => scene_rows(ui, &LESSONS, title, &document.scene.name, desk),
-        Tab::Time => time_rows(ui, world, choice, study, time, desk),
-        Tab::Pictures => picture_rows(ui, world, desk),
-        Tab::Camera => camera_rows(ui, world, desk),
+        Tab::Pictures => pictures_tab(ui, world, desk),
+        Tab::Camera => camera_tab(ui, world, desk),
         Tab::Scene => {
             file_rows(ui, document, desk);
             ui.separator();
@@ -144,11 +148,11 @@ fn table(ui: &mut Ui, name: &str, rows: impl FnOnce(&mut Ui)) {
 fn proof_tab(ui: &mut Ui, study: &Study) {
     ui.label(
         "An interval encloses the exact level of each pixel. A pixel is proven if the drawn level is within the \
-         tolerance of all of its interval, refuted if of none of it, else undecided.",
+         tolerance of all of its interval, refuted if of none of it, else undecided. Both sides of a wipe count.",
     );
     let fact = &study.facts.proof;
     wait(ui, study, fact.is_current);
-    let rows = fact.value.iter().flat_map(|proof| {
+    let rows = fact.value.iter().flat_map(|(_, proof)| {
         let [worst, widest] = [proof.worst, proof.widest_enclosure];
         let off = proof.reference_error;
         [

@@ -106,7 +106,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("fewer segments", "Half as many segments along each edge of a face.", &[(NO, Key::Comma, Action::Segments(-1))]),
         ("finer tolerance", "The next finer tolerance, or more time.", &[(NO, Key::OpenBracket, Action::Tolerance(-1)), (NO, Key::PageDown, Action::Tolerance(-1))]),
         ("coarser tolerance", "The next coarser tolerance, or less time.", &[(NO, Key::CloseBracket, Action::Tolerance(1)), (NO, Key::PageUp, Action::Tolerance(1))]),
-        ("hold the time", "Draws by the most exact method whose frames keep a budget of time.", &[(NO, Key::M, Action::HoldTime)]),
+        ("hold the time", "Draws by the most exact method whose frames keep a budget of time, or holds the tolerance again.", &[(NO, Key::M, Action::HoldTime)]),
     ]),
     ("Camera", &[
         ("next camera", "The camera that is looked through.", &[(NO, Key::C, Action::NextCamera)]),
@@ -121,7 +121,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
     ]),
     ("View", &[
         ("picture", "The picture as it is shaded.", &[(NO, Key::F2, Action::View(ViewMode::Picture))]),
-        ("Gouraud | Phong", "Two methods, left and right of a divider that can be dragged.", &[(NO, Key::F3, Action::View(ViewMode::Wipe))]),
+        ("both", "Gouraud and Phong, left and right of a line that can be dragged.", &[(NO, Key::F3, Action::View(ViewMode::Wipe))]),
         ("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Action::WipeExact)]),
         ("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
         ("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),

@@ -9,7 +9,7 @@ use super::pictures::QUARTERS;
 use super::tags::side_name;
 use super::viewport::{draw_cross, draw_line, legend};
 use super::widgets::{INK, tag};
-use crate::components::{LightKind, ViewMode, Viewer};
+use crate::components::{LightKind, Side, ViewMode, Viewer};
 use crate::output::paint::{annotate, area};
 use crate::shading::Method;
 
@@ -43,7 +43,10 @@ impl Labels<'_> {
             ViewMode::Picture | ViewMode::Wipe => {}
             ViewMode::Terms => draw_terms(ui.painter(), self.place),
             ViewMode::Error | ViewMode::Tiles => {
-                let show = |ui: &mut Ui| legend(ui, self.viewer, self.canvas, self.facts);
+                let show = |ui: &mut Ui| {
+                    ui.label(side_name(&Side::Picture, self.method));
+                    legend(ui, self.viewer, self.canvas, self.facts);
+                };
                 let mut place = self.place.shrink(GAP);
                 let size = self.ground(ui, UiBuilder::new().max_rect(place).invisible(), show);
                 place.min.y = (place.max.y - size.y).max(place.min.y);
@@ -101,7 +104,7 @@ impl Labels<'_> {
 
     /// The levels along the row of a pixel.
     fn curve(&self, ui: &mut Ui, place: Rect, [column, row]: [usize; 2]) {
-        let Some(probes) = self.facts.section.current() else {
+        let Some((_, probes)) = self.facts.section.current() else {
             return;
         };
         let here = probes.iter().find(|it| it.pixel == [column, row]);

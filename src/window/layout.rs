@@ -12,7 +12,7 @@ use super::desk::Desk;
 use super::help::{about, help};
 use super::keys::{Action, binding};
 use super::lesson::heading;
-use super::panel::{headings, panel};
+use super::panel::{headings, panel, path_row};
 use super::pictures::{side_method, sides};
 use super::tags::side_name;
 use super::widgets::{BAD, GOOD, INK, short, text};
@@ -81,18 +81,19 @@ impl App {
     /// Lays out the result, and the panel.
     fn sides(&mut self, ui: &mut Ui, size: Vec2) {
         // Room for two rows in a narrow window, so that the picture keeps its size.
-        let rows = [1.0, 2.0][usize::from(size.x < NARROW)];
-        let status = Panel::bottom("status").resizable(false);
-        let status = status.exact_size(rows * ROW + 4.0);
-        status.show_inside(ui, |ui| ui.horizontal_wrapped(|ui| self.status(ui)));
+        let is_below = size.x < NARROW;
+        let rows = if is_below { 2.0 } else { 1.0 };
+        let status = Panel::bottom("status").exact_size(rows * ROW + 4.0);
+        status
+            .resizable(false)
+            .show_inside(ui, |ui| ui.horizontal_wrapped(|ui| self.status(ui)));
         if self.desk.panel_folded {
             let folded = Panel::left("folded panel").exact_size(FOLDED);
-            let button = folded.resizable(false).show_inside(ui, |ui| ui.button("⏵"));
-            let button = button.inner.on_hover_text("Opens the panel (I).");
-            self.desk.panel_folded = !button.clicked();
+            let shown = folded.resizable(false).show_inside(ui, |ui| ui.button("⏵"));
+            let opens = shown.inner.on_hover_text("Opens the panel (I).").clicked();
+            self.desk.panel_folded = !opens;
             return;
         }
-        let is_below = size.x < NARROW;
         let [usual, most] = if is_below {
             [size.y / 2.0; 2]
         } else {
@@ -105,8 +106,9 @@ impl App {
         } else {
             Panel::left(id)
         };
-        let side = side.default_size(usual).size_range(LEAST.min(usual)..=most);
-        side.show_inside(ui, |ui| panel(ui, self));
+        side.default_size(usual)
+            .size_range(LEAST.min(usual)..=most)
+            .show_inside(ui, |ui| panel(ui, self));
     }
 
     /// Lays out the question, or the sentence about what is shown, with room for the longest.
@@ -177,7 +179,7 @@ impl App {
         });
     }
 
-    /// The line below the picture: a message, the name of what is shown in its place, or the result.
+    /// The line below the picture: a message, the name of what is shown in its place, or the result; and the file of edits.
     fn status(&mut self, ui: &mut Ui) {
         if message(ui, &mut self.desk) {
             return;
@@ -187,6 +189,9 @@ impl App {
             Some(name) => drop(ui.label(name).on_hover_text(METHOD)),
             None if self.result(ui) => self.desk.wish(Action::Worst),
             None => {}
+        }
+        if self.document.is_edited() {
+            path_row(ui, Action::Save, &self.document.target(false));
         }
     }
 
@@ -208,55 +213,52 @@ impl App {
             Some((_, None)) => ui.label("Nothing is drawn that could err.").clicked(),
             None => ui.weak("The error is being measured.").clicked(),
         };
-        // The proof is one of the picture that was drawn.
-        if method == shown
-            && let Some((text, ink)) = self.proof_says()
-        {
+        let erring = method.filter(|_| worst.is_some_and(|it| it.1.is_some()));
+        if let Some((text, ink)) = self.proof_says(erring) {
             ui.colored_label(ink, text).on_hover_text(about("proven"));
         }
         is_clicked
     }
 
     /// The sentence about the proof, and its colour. While things move, it is about the last proof, and stays the same for several
-    /// pictures, so that it can be read.
-    fn proof_says(&self) -> Option<(String, Color32)> {
-        let (study, proof) = (&self.study, &self.study.facts.proof);
+    /// pictures, so that it can be read. `erring` is the method whose error is told before.
+    fn proof_says(&self, erring: Option<Method>) -> Option<(String, Color32)> {
+        let (study, fact) = (&self.study, &self.study.facts.proof);
         let moves = !(self.canvas.rests() && self.is_drawn());
         let known = if moves {
             study.last_proof()
         } else {
-            proof.current()
+            fact.current().map(|(_, proof)| proof)
         };
-        let Some(it) = known else {
-            let text = if !moves && proof.is_current {
+        let Some(proof) = known else {
+            let text = match moves {
                 // There was too little memory.
-                "It is not proven."
-            } else if !study.is_live() {
-                return None;
-            } else if moves && !study.follows() {
-                "It is proven once nothing moves."
-            } else {
-                "It is being proven."
+                false if fact.is_current => "It is not proven.",
+                _ if !study.is_live() => return None,
+                true if !study.follows() => "It is proven once nothing moves.",
+                _ => "It is being proven.",
             };
             return Some((text.to_owned(), Color32::GRAY));
         };
-        let own = self.method().map(|it| capital(it.mode.name()));
-        let own = own.as_deref().unwrap_or("it");
-        let is_whole = it.proven == it.pixels as u64;
-        let share = if is_whole {
-            "every pixel".to_owned()
+        let (proven, pixels) = (proof.proven, proof.pixels as u64);
+        let [width, height] = self.canvas.size();
+        let both = if proof.pixels > width * height {
+            " of both pictures"
         } else {
-            format!("{} of {} pixels", it.proven, it.pixels)
+            ""
         };
         let text = if moves {
-            format!("The last proof held for {share}.")
-        } else if is_whole {
-            format!("Every pixel is drawn as {own} should be: proven.")
+            format!("The last proof held for {proven} of {pixels} pixels.")
+        } else if proven < pixels {
+            format!("{proven} of {pixels} pixels{both} are proven to be drawn right.")
         } else {
-            format!("{share} are proven to be drawn as {own} should be.")
+            let every = match erring.filter(|it| it.mode != ShadingMode::Phong) {
+                Some(it) => format!("That is {}'s own error: every", capital(it.mode.name())),
+                None => "Every".to_owned(),
+            };
+            format!("{every} pixel{both} is drawn right, proven.")
         };
-        let ink = if is_whole { GOOD } else { BAD };
-        Some((text, ink))
+        Some((text, if proven == pixels { GOOD } else { BAD }))
     }
 }
 

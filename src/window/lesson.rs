@@ -7,6 +7,7 @@ use egui::{Button, RichText, Ui};
 use hecs::World;
 
 use super::app::App;
+use super::ask::shows_exact;
 use super::canvas::Canvas;
 use super::choice::Choice;
 use super::comparison::Comparison;
@@ -18,7 +19,6 @@ use super::keys::{Action, caption};
 use super::labels::Labels;
 use super::layout::message;
 use super::pictures::exact_view;
-use super::study::shows_exact;
 use super::widgets::{BAD, GOOD, INK, button, number, offer, segment_buttons, short, text};
 use crate::components::range::{Shininess, Strength};
 use crate::components::{Light, Material, Name, ShadingMode, View, ViewMode, ordered, viewer};
@@ -71,10 +71,10 @@ impl App {
         } = self;
         let step = document.step;
         let lesson = Arc::clone(&document.scene.lesson);
-        let next = next_lesson(&document.scene.name).filter(|_| step + 1 == lesson.len());
-        let next = next.map_or("next".to_owned(), |it| {
-            format!("Next lesson: {}", title(it))
-        });
+        let next = match next_lesson(&document.scene.name) {
+            Some(name) if step + 1 == lesson.len() => format!("Next lesson: {}", title(name)),
+            _ => "next".to_owned(),
+        };
         ui.horizontal_wrapped(|ui| {
             button(ui, desk, "back", Action::Step(-1));
             button(ui, desk, &next, Action::Step(1));
@@ -105,9 +105,10 @@ pub fn heading(ui: &mut Ui, document: &Document, desk: &mut Desk) {
     ui.horizontal_wrapped(|ui| {
         ui.strong(title(&document.scene.name));
         ui.weak(format!("{} of {}", document.step + 1, lesson.len()));
-        let rest = ["everything", "the lesson alone"][usize::from(desk.shows_rest)];
-        button(ui, desk, rest, Action::Panel);
-        if !desk.shows_rest {
+        if desk.shows_rest {
+            button(ui, desk, "the lesson alone", Action::Panel);
+        } else {
+            button(ui, desk, "everything", Action::Panel);
             button(ui, desk, "leave", Action::Close);
         }
     });
@@ -219,12 +220,13 @@ pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
         }
         Ok(pictures)
     })?;
-    let words = (1..)
+    let words: Vec<[String; 2]> = (1..)
         .zip(&**lesson)
-        .map(|(number, step)| caption_of(number, step));
-    let words: Vec<[String; 2]> = words.collect();
-    let cells = pictures.into_iter().zip(&words);
-    let cells: Vec<_> = cells
+        .map(|(number, step)| caption_of(number, step))
+        .collect();
+    let cells: Vec<_> = pictures
+        .into_iter()
+        .zip(&words)
         .map(|(pixels, [says, answers])| (pixels, [&**says, answers, ""]))
         .collect();
     let columns = COLUMNS.min(lesson.len());
@@ -238,10 +240,9 @@ pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
 /// The number and the sentence of a step, and its answers.
 fn caption_of(number: usize, step: &Step) -> [String; 2] {
     let answers = step.question.iter().flat_map(|it| &it.answers);
-    let answers = ('a'..)
-        .zip(answers)
-        .map(|(letter, answer)| format!("\n{letter}) {answer}"));
-    [format!("{number}. {}", step.say), answers.collect()]
+    let lines = ('a'..).zip(answers);
+    let lettered = lines.map(|(letter, answer)| format!("\n{letter}) {answer}"));
+    [format!("{number}. {}", step.say), lettered.collect()]
 }
 
 /// The picture of a step with the words in it.
@@ -262,10 +263,9 @@ async fn picture(
         facts.comparison.finish(Some(comparison));
     }
     if let Some(pixel) = canvas.pixel(viewer) {
-        let view = exact_view(&canvas.side_at(viewer, pixel[0]), &view);
-        facts
-            .section
-            .finish(Some(probe::section(&mut scene, &view, pixel, level)?));
+        let side = canvas.side_at(viewer, pixel[0]);
+        let section = probe::section(&mut scene, &exact_view(&side, &view), pixel, level)?;
+        facts.section.finish(Some((side, section)));
     }
     let mut pixels = canvas.shown(viewer, &facts, None).into_owned();
     let labels = Labels {

@@ -27,6 +27,9 @@ const UNIT: f32 = 110.0;
 const NORMAL: Color32 = Color32::from_rgb(0x9a, 0xe6, 0x4b);
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
+const AWAY: &str =
+    "It is outside of the picture. Zoom out (-) to drag it, or change its numbers (E).";
+
 /// How far the middle of an arrow's head is from the edge of the picture, in points, and its length.
 const EDGE: f32 = 12.0;
 const ARROW: f32 = 30.0;
@@ -34,13 +37,14 @@ const ARROW: f32 = 30.0;
 /// The disc of lights at one place, or the arrow towards them.
 pub struct Lamp {
     pub names: Vec<String>,
+    /// The names of those that are on.
+    lit: Vec<String>,
     position: DVec3,
     /// Its middle in the window; of an arrow the head.
     pub at: Pos2,
     /// The way of the arrow, of length 1; `None` for a disc.
     pub way: Option<Vec2>,
     color: Color32,
-    is_on: bool,
 }
 
 impl Lamp {
@@ -48,7 +52,7 @@ impl Lamp {
     fn draw(&self, painter: &egui::Painter, area: Rect) {
         let on = (self.color, (1.5, Color32::from_gray(16)));
         let off = (Color32::from_black_alpha(120), (2.0, self.color));
-        let (fill, line) = if self.is_on { on } else { off };
+        let (fill, line) = if self.lit.is_empty() { off } else { on };
         let mut at = self.at;
         if let Some(way) = self.way {
             at -= ARROW * way;
@@ -66,10 +70,14 @@ impl Lamp {
         } else {
             (Align2::LEFT_CENTER, 1.0)
         };
-        let ink = [Color32::GRAY, Color32::WHITE][usize::from(self.is_on)];
+        let (ink, names) = if self.lit.is_empty() {
+            (Color32::GRAY, &self.names)
+        } else {
+            (Color32::WHITE, &self.lit)
+        };
         let at = at + vec2(side * (RADIUS + 8.0), 0.0);
-        let lamp = ["lamp", "lamps"][usize::from(self.names.len() > 1)];
-        let text = format!("{lamp}: {}", self.names.join(", "));
+        let plural = if names.len() > 1 { "s" } else { "" };
+        let text = format!("lamp{plural}: {}", names.join(", "));
         tag(painter, align, at, &text, ink);
     }
 }
@@ -77,9 +85,12 @@ impl Lamp {
 /// Lays out the lamps. A drag of a disc moves its lights across the view; both a drag and a click select the first.
 pub fn discs(ui: &Ui, world: &mut World, view: &View, canvas: &Canvas, desk: &mut Desk) {
     for lamp in lamps(world, view, canvas) {
-        if lamp.way.is_none() {
+        let id = ui.id().with(&lamp.names[0]);
+        if let Some(way) = lamp.way {
+            let place = Rect::from_two_pos(lamp.at, lamp.at - ARROW * way).expand(RADIUS);
+            ui.interact(place, id, Sense::hover()).on_hover_text(AWAY);
+        } else {
             let place = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
-            let id = ui.id().with(&lamp.names[0]);
             let disc = ui.interact(place, id, Sense::click_and_drag());
             if disc.dragged() {
                 let by = disc.drag_delta() * canvas.scale;
@@ -106,18 +117,18 @@ pub fn lamps(world: &World, view: &View, canvas: &Canvas) -> Vec<Lamp> {
     });
     for (name, position, light) in lights.into_iter().flatten().take(MOST) {
         if let Some(lamp) = lamps.iter_mut().find(|it| it.position == position) {
-            lamp.is_on |= light.on;
+            lamp.lit.extend(light.on.then(|| name.clone()));
             lamp.names.push(name);
             continue;
         }
         let (at, way) = place_of(position, &lens, canvas);
         lamps.push(Lamp {
+            lit: Vec::from_iter(light.on.then(|| name.clone())),
             names: vec![name],
             position,
             at,
             way,
             color: brightest(light.color),
-            is_on: light.on,
         });
     }
     lamps
@@ -132,12 +143,12 @@ fn place_of(position: DVec3, lens: &Lens, canvas: &Canvas) -> (Pos2, Option<Vec2
         return (at, None);
     }
     let middle = canvas.place.center();
-    let way = if is_before {
+    let towards = if is_before {
         at - middle
     } else {
         vec2(seen.x as f32, -seen.y as f32)
     };
-    let way = way.normalized();
+    let way = towards.normalized();
     let room = canvas.place.shrink(EDGE).size() / 2.0;
     let length = (room.x / way.x.abs()).min(room.y / way.y.abs());
     (middle + way * length, Some(way))
@@ -153,8 +164,8 @@ pub fn drag_light(world: &mut World, view: &View, name: &str, by: Vec2) {
         let pixel = lens.pitch * lens.homogeneous(lens.seen(*position)).z.abs();
         // Rounded to a tenth of a pixel or less, so that the numbers are short.
         let digits = (1.0 - pixel.log10().floor()).clamp(0.0, 300.0) as usize;
-        let moved = (*position + way * pixel).to_array();
-        let moved = moved.map(|it| round_to_decimals(it, digits));
+        let exact = (*position + way * pixel).to_array();
+        let moved = exact.map(|it| round_to_decimals(it, digits));
         if moved.iter().all(|it| Coordinate::RANGE.contains(it)) {
             *position = DVec3::from(moved);
         }

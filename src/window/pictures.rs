@@ -221,12 +221,10 @@ fn grey(pixel: u32) -> u32 {
 fn tint(pixels: &mut [u32], kinds: &[u8], triangles: &[TriangleId]) {
     for ((pixel, kind), triangle) in pixels.iter_mut().zip(kinds).zip(triangles) {
         if *triangle != TriangleId::NONE {
-            let weight = [TINT_WEIGHT, OUTLINE_WEIGHT][usize::from(kind & SQUARE_EDGE != 0)];
-            *pixel = mix(
-                grey(*pixel),
-                TINTS[usize::from(kind & !SQUARE_EDGE)],
-                weight,
-            );
+            let tint = TINTS[usize::from(kind & !SQUARE_EDGE)];
+            let is_edge = kind & SQUARE_EDGE != 0;
+            let weight = if is_edge { OUTLINE_WEIGHT } else { TINT_WEIGHT };
+            *pixel = mix(grey(*pixel), tint, weight);
         }
     }
 }

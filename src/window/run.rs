@@ -12,7 +12,7 @@ use egui::{Event, RawInput};
 use super::app::App;
 use super::display::Display;
 use super::screen::{keep_zoom, kept_zoom};
-use super::study::Background;
+use super::study::Runner;
 use super::unsaved::state_folder;
 use crate::questions::job::Drawing;
 
@@ -64,7 +64,7 @@ struct Session {
 impl Session {
     fn open(drawing: Drawing) -> anyhow::Result<Self> {
         let display = Display::open("shadetrade", drawing.size)?;
-        let mut app = App::new(drawing, Background::Threads)?;
+        let mut app = App::new(drawing, Runner::Threads)?;
         let folder = state_folder();
         app.document.keep_edits(&folder);
         app.scale = display.scale;

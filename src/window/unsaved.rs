@@ -187,8 +187,8 @@ pub fn edits_bar(ui: &Ui, document: &mut Document, place: Rect, desk: &mut Desk)
     let Some((_, written)) = offer else {
         return;
     };
-    let age = SystemTime::now().duration_since(*written);
-    let age = HumanDuration(age.unwrap_or_default());
+    let passed = SystemTime::now().duration_since(*written);
+    let age = HumanDuration(passed.unwrap_or_default());
     bar(ui, "offer", Align2::CENTER_TOP, place, |ui| {
         ui.horizontal_wrapped(|ui| {
             ui.label(format!("There are unsaved edits, {age} old."));

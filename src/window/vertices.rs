@@ -59,7 +59,9 @@ fn mark_half(painter: &Painter, world: &World, view: &View, canvas: &Canvas, hal
             for (i, j) in (0..=count).flat_map(|i| (0..=count).map(move |j| (i, j))) {
                 let [u, v] = [i, j].map(|it| it as f64 / count as f64);
                 let at = place(a.lerp(b, u).lerp(d.lerp(c, u), v));
-                painter.circle(at, 3.5, Color32::WHITE, (1.5, Color32::from_gray(16)));
+                // Many small ones leave the picture in sight.
+                let radius = if count > 4 { 1.5 } else { 3.5 };
+                painter.circle(at, radius, Color32::WHITE, (1.5, Color32::from_gray(16)));
             }
         }
     }

@@ -17,7 +17,6 @@ use super::inspector::Tab;
 use super::labels::Labels;
 use super::lights::{discs, draw_arrows};
 use super::pictures::TINTS;
-use super::tags::tags;
 use super::unsaved::edits_bar;
 use super::vertices::{mark_triangle, mark_vertices};
 use super::widgets::{BAD, bar, tag};
@@ -30,6 +29,8 @@ use crate::shading::SquareKind;
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
+/// The length of an arm of the cross at a pixel, in points.
+pub const CROSS: f32 = 11.5;
 /// How far beside the divider a press still moves it, in points.
 const REACH: f32 = 10.0;
 /// From the upper end of the divider to its handle, in points.
@@ -39,48 +40,41 @@ impl App {
     /// Lays out the picture's area in the rest of the window.
     pub(super) fn viewport(&mut self, ui: &mut Ui) {
         let is_alone = self.is_lesson_alone();
-        let App {
-            document,
-            canvas,
-            study,
-            choice,
-            desk,
-            ..
-        } = self;
         let scale = ui.ctx().pixels_per_point();
         let free = ui.available_rect_before_wrap();
         let whole = |at: Pos2| (at * scale).round() / scale;
-        canvas.place = Rect::from_min_max(whole(free.min), whole(free.max));
-        canvas.scale = scale;
-        ui.set_clip_rect(canvas.place);
+        self.canvas.place = Rect::from_min_max(whole(free.min), whole(free.max));
+        self.canvas.scale = scale;
+        ui.set_clip_rect(self.canvas.place);
         // At its sides the panels are resized.
         let grab = vec2(ui.style().interaction.resize_grab_radius_side, 0.0);
-        let area = canvas.place.shrink2(grab);
+        let area = self.canvas.place.shrink2(grab);
         let picture = ui.interact(area, ui.id().with("picture"), Sense::click_and_drag());
-        let world = &mut document.scene.world;
-        desk.say_any(move_camera(ui, &picture, world, canvas));
-        let mut clicked = clicked(&picture);
-        if viewer(world).show == ViewMode::Wipe {
-            if desk.turn().is_none() {
-                clicked = clicked.or(divider(ui, world, canvas));
-            }
-            if !is_alone {
-                let method = choice.method(world);
-                tags(ui, world, canvas.place, &study.facts, method, desk);
+        let world = &mut self.document.scene.world;
+        self.desk
+            .say_any(move_camera(ui, &picture, world, &self.canvas));
+        let show = self.viewer().show;
+        let mut click = clicked(&picture);
+        if show == ViewMode::Wipe && self.desk.turn().is_none() {
+            let before = self.viewer().divider;
+            let world = &mut self.document.scene.world;
+            click = click.or(divider(ui, world, &self.canvas));
+            if self.viewer().divider != before {
+                self.desk.divider = None;
             }
         }
-        let view = choice.view(world, canvas);
-        let edits = desk.is_open(Tab::Scene);
-        // A disc over a tag can be dragged.
-        if !is_alone && (edits || viewer(world).show == ViewMode::Wipe) {
-            discs(ui, world, &view, canvas, desk);
+        if show == ViewMode::Wipe && !is_alone {
+            self.tags(ui);
         }
-        // Its quarters have other pixels.
-        let is_whole = viewer(world).show != ViewMode::Terms;
-        if let Some(at) = clicked.filter(|_| is_whole) {
-            desk.has_clicked = true;
-            let pixel = canvas.pixel_at(at);
-            self.probe(pixel);
+        // After the tags, so that a disc over one can be dragged.
+        if !is_alone && (show == ViewMode::Wipe || self.desk.is_open(Tab::Scene)) {
+            let (view, world) = (self.view(), &mut self.document.scene.world);
+            discs(ui, world, &view, &self.canvas, &mut self.desk);
+        }
+        // The terms are four pictures of half the size.
+        if let Some(at) = click.filter(|_| show != ViewMode::Terms) {
+            self.desk.has_clicked = true;
+            self.probe(self.canvas.pixel_at(at));
         }
         if !is_alone {
             self.draw_marks(ui);
@@ -206,11 +200,11 @@ fn move_camera(ui: &Ui, picture: &Response, world: &mut World, canvas: &Canvas) 
         limit = orbit(world, f64::from(-by.x) * degrees, f64::from(by.y) * degrees);
     }
     if picture.hovered() {
-        let turned = |event: &Event| match event {
+        let notches = |event: &Event| match event {
             Event::MouseWheel { delta, .. } => delta.y,
             _ => 0.0,
         };
-        let turned: f32 = ui.input(|input| input.events.iter().map(turned).sum());
+        let turned: f32 = ui.input(|input| input.events.iter().map(notches).sum());
         if turned.round() != 0.0 {
             limit = zoom(world, turned.round() as i32).or(limit);
         }
@@ -231,7 +225,7 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
     }
     draw_line(ui.painter(), x, line);
     let edge = (1.0, Color32::from_black_alpha(150));
-    // What is compared is mostly in the middle.
+    // At the top, beside what is compared.
     let at = place.center_top() + vec2(0.0, HANDLE);
     ui.painter().circle(at, 8.0, Color32::WHITE, edge);
     clicked(&handle)
@@ -287,7 +281,7 @@ fn error_legend(ui: &mut Ui, tolerance: f64, facts: &Facts) {
 /// Draws a cross around a pixel, which itself stays visible.
 pub fn draw_cross(painter: &egui::Painter, at: Pos2) {
     for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
-        let line = [at + way * 3.5, at + way * 11.5];
+        let line = [at + way * 3.5, at + way * CROSS];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
         painter.line_segment(line, (1.5, Color32::WHITE));
     }

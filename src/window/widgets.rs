@@ -88,8 +88,9 @@ pub fn segment_buttons(ui: &mut Ui, world: &World, desk: &mut Desk) {
 /// A button with the name and the key of an action, and its sentence as a tooltip.
 pub fn action_button(ui: &mut Ui, action: Action, is_chosen: bool) -> Response {
     let (name, says) = binding(action).map_or(("", ""), |it| (it.0, it.1));
-    let button = Button::selectable(is_chosen, name).shortcut_text(caption(action));
-    let button = button.sense(Sense::click_and_drag());
+    let button = Button::selectable(is_chosen, name)
+        .shortcut_text(caption(action))
+        .sense(Sense::click_and_drag());
     ui.add(button).on_hover_text(says)
 }
 
@@ -129,11 +130,14 @@ fn typed(text: &str) -> Option<f64> {
 /// A number that is dragged, or clicked and typed. A drag changes it in proportion to its size.
 pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Response {
     let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
-    let drag = DragValue::new(value).speed(speed).range(range);
-    // A number that is being typed is not the number that is meant.
-    let drag = drag.update_while_editing(false);
-    let drag = drag.custom_parser(typed);
-    let response = ui.add(drag.custom_formatter(format_number));
+    let drag = DragValue::new(value)
+        .speed(speed)
+        .range(range)
+        // A number that is being typed is not the number that is meant.
+        .update_while_editing(false)
+        .custom_parser(typed)
+        .custom_formatter(format_number);
+    let response = ui.add(drag);
     keep_digits(value, before);
     response
 }
@@ -166,9 +170,12 @@ pub fn slider(
         ui.label(name).on_hover_text(says);
         // Number and keys beside it stay in sight.
         ui.spacing_mut().slider_width = (ui.available_width() - 115.0).clamp(20.0, 110.0);
-        let slider = Slider::new(value, range).logarithmic(true);
-        let slider = slider.smallest_positive(smallest).custom_parser(typed);
-        let response = ui.add(slider.custom_formatter(format_number));
+        let slider = Slider::new(value, range)
+            .logarithmic(true)
+            .smallest_positive(smallest)
+            .custom_parser(typed)
+            .custom_formatter(format_number);
+        let response = ui.add(slider);
         keep_digits(value, before);
         // A tooltip would hide the rows that change.
         if response.dragged() {
@@ -219,9 +226,12 @@ pub fn tag(painter: &egui::Painter, align: Align2, at: Pos2, text: &str, ink: Co
 
 /// Lays out widgets on a ground of their own, over everything else at a side of `place`.
 pub fn bar(ui: &Ui, name: &str, side: Align2, place: Rect, widgets: impl FnOnce(&mut Ui)) {
-    let bar = Area::new(ui.id().with(name)).pivot(side);
-    let bar = bar.fixed_pos(side.pos_in_rect(&place)).constrain_to(place);
-    bar.order(Order::Foreground).show(ui.ctx(), |ui| {
+    let bar = Area::new(ui.id().with(name))
+        .pivot(side)
+        .fixed_pos(side.pos_in_rect(&place))
+        .constrain_to(place)
+        .order(Order::Foreground);
+    bar.show(ui.ctx(), |ui| {
         ui.set_max_width(place.width());
         Frame::side_top_panel(ui.style()).show(ui, widgets);
     });

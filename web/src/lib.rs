@@ -11,7 +11,7 @@ use shadetrade::questions::job::Drawing;
 use shadetrade::questions::trade::verdict::method_name;
 use shadetrade::scene::{LESSONS, Scene};
 use shadetrade::window::app::App;
-use shadetrade::window::study::Background;
+use shadetrade::window::study::Runner;
 use wasm_bindgen::prelude::*;
 
 /// egui's name of a key, from its character or from the name that browsers give it.
@@ -54,7 +54,7 @@ impl Page {
             threads: 1,
             level: Level::new(),
         };
-        let mut app = App::new(drawing, Background::Pieces).map_err(told)?;
+        let mut app = App::new(drawing, Runner::Pieces).map_err(told)?;
         app.document.keep_edits(Path::new(files::UNSAVED));
         Ok(Page { app, rgba: vec![] })
     }
@@ -88,7 +88,7 @@ impl Page {
             "message": desk.message.as_ref().map(|it| &it.0).or(desk.file_error.as_ref()),
             "method": self.app.method().map(method_name),
             "error": facts.comparison.current().and_then(|it| it.worst).map(|it| it.error),
-            "proof": facts.proof.current(),
+            "proof": facts.proof.current().map(|it| &it.1),
             "trade": facts.trade.current().map(|it| &it.methods),
             "varied": facts.curves.value.as_ref().filter(|it| it.is_all).map(|it| it.variable.clone()),
             "picture": (canvas.place.min * canvas.scale, canvas.size()),

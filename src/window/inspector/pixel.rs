@@ -1,7 +1,7 @@
 //! The pixel's tab: the drawn and the exact levels, the cause of their difference, the levels along the row, every number.
 
 use egui::color_picker::show_color;
-use egui::{CollapsingHeader, Color32, Grid, Label, RichText, ScrollArea, StrokeKind, Ui, vec2};
+use egui::{CollapsingHeader, Color32, Grid, Label, RichText, StrokeKind, Ui, vec2};
 use egui_plot::{Line, LineStyle, Plot, VLine};
 use hecs::World;
 
@@ -17,8 +17,8 @@ use crate::window::widgets::{BAD, GOURAUD, PHONG, still, wait};
 
 /// The height of the levels along the row, in points.
 const PLOT: f32 = 150.0;
-/// The width of a letter of the numbers, in font sizes.
-const LETTER: f32 = 0.61;
+/// The size of the letters of the numbers, in points.
+const NUMBERS: f32 = 10.0;
 
 /// The broad line of the picture, under the others.
 const DRAWN: Color32 = Color32::from_gray(90);
@@ -45,7 +45,7 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
         return;
     };
     let Some(surface) = &probe.surface else {
-        ui.label("Background: no cuboid is seen here.");
+        ui.label("Runner: no cuboid is seen here.");
         return;
     };
     let object = &surface.object;
@@ -64,18 +64,20 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
     }
     section(
         ui,
-        study.facts.section.value.as_deref().unwrap_or_default(),
+        study
+            .facts
+            .section
+            .value
+            .as_ref()
+            .map_or(&[][..], |it| &it.1[..]),
         x,
         surface,
     );
     let lines = probe.lines();
     let numbers = CollapsingHeader::new("every number");
     numbers.show_unindented(ui, |ui| {
-        let longest = lines.iter().map(|line| line.chars().count()).max();
-        let width = longest.unwrap_or_default() as f32 * LETTER;
-        let size = (ui.available_width() / width).clamp(9.0, 11.0);
-        let text = RichText::new(lines.join("\n")).size(size).monospace();
-        ScrollArea::horizontal().show(ui, |ui| ui.add(Label::new(text).extend()));
+        let text = RichText::new(lines.join("\n")).size(NUMBERS).monospace();
+        ui.add(Label::new(text).wrap());
     });
 }
 
@@ -108,13 +110,13 @@ pub fn section(ui: &mut Ui, row: &[Probe], column: usize, here: &ProbedSurface) 
         curve("Gouraud", &|it| exact(it, channel)[0]).color(GOURAUD),
         curve("exact Phong", &|it| exact(it, channel)[1]).color(PHONG),
     ];
-    let plot = still(
-        Plot::new("section")
-            .height(PLOT.min(ui.available_height()))
-            .include_y(0.0),
-    );
-    let plot = plot.y_axis_min_width(28.0).show_axes([false, true]);
-    plot.show_x(false).show(ui, |plot| {
+    let plot = Plot::new("section")
+        .height(PLOT.min(ui.available_height()))
+        .include_y(0.0)
+        .y_axis_min_width(28.0)
+        .show_axes([false, true])
+        .show_x(false);
+    still(plot).show(ui, |plot| {
         for line in lines {
             plot.line(line);
         }

@@ -1,33 +1,34 @@
-//! The tab of a number that is varied: the errors over its range. The line at the present value can be dragged, and a click on a
-//! curve chooses its method.
+//! A number that is varied, and its tab: the errors over its range. The line at the present value can be dragged.
 
-use egui::{Color32, Response, Sense, Ui, WidgetInfo, WidgetType, vec2};
-use egui_plot::{
-    GridInput, GridMark, HLine, Line, LineStyle, Plot, PlotPoint, PlotTransform, VLine,
-};
+use std::sync::Arc;
 
-use super::scene::ANY;
-use crate::components::{ShadingMode, Side, viewer};
+use egui::{Color32, Sense, Ui, WidgetInfo, WidgetType};
+use egui_plot::{GridInput, GridMark, HLine, Line, LineStyle, Plot, VLine};
+use hecs::World;
+
+use super::Tab;
+use super::row::ANY;
+use crate::components::{Mesh, Side, names};
 use crate::output::chart::ticks;
 use crate::output::words::capital;
+use crate::questions::job::camera_name;
 use crate::questions::trade::verdict::method_name;
 use crate::questions::vary::curve::Curve;
 use crate::questions::vary::export::number as in_words;
 use crate::questions::vary::refined::{PIXELS, Refined};
-use crate::questions::vary::variable::Variable;
+use crate::questions::vary::variable::{Variable, present};
 use crate::scene::SceneRecord;
+use crate::scene::key::Key;
 use crate::shading::Method;
 use crate::window::canvas::Canvas;
-use crate::window::controls::choose_method;
 use crate::window::desk::Desk;
 use crate::window::document::Document;
 use crate::window::study::Study;
 use crate::window::tags::side_says;
-use crate::window::varied::{Varied, common_keys};
 use crate::window::widgets::{BAD, INK, mode_ink, number, rounded, still, wait};
 
 const ABOUT: &str = "The largest error of the picture against exact Phong, in levels of 255, over the range of a number. Drag the \
-                     line to change the number; a click on a curve chooses its method, or compares the unit vectors in a wipe. The button beside a number of the scene shows that one.";
+                     line to change the number. The button beside a number of the scene shows that one.";
 const LATTICE: &str = "Each value is drawn as large as the picture. An interval encloses the exact level of each compared pixel. \
                        Where the cuboids take more pixels, every second one is compared in each direction, or every third, and so on: an error \
                        between them is not found. `vary` on the command line compares all.";
@@ -36,8 +37,70 @@ const ERRORS: [f64; 2] = [1e-4, 500.0];
 const HEIGHT: f32 = 230.0;
 /// The room beside the plot, in points, into which half of the last label reaches.
 const BESIDE: f32 = 12.0;
-/// How far beside a curve a click still chooses its method, in points.
-const REACH: f32 = 8.0;
+
+/// A number of the scene, and its range.
+pub struct Varied {
+    pub variable: Variable,
+    /// The state that was looked at, and the size of the picture.
+    seen: Option<(Arc<SceneRecord>, [usize; 2])>,
+    /// The present value, and the curves without a point; or the reason why the scene has none.
+    pub wanted: Result<(f64, Refined), String>,
+}
+
+impl Varied {
+    pub fn of(variable: Variable) -> Self {
+        Varied {
+            variable,
+            seen: None,
+            wanted: Err(String::new()),
+        }
+    }
+
+    /// Looks at the state of the scene, if it is another one.
+    pub fn look(&mut self, state: &Arc<SceneRecord>, size: [usize; 2]) {
+        let is_known = |(seen, seen_size): &(Arc<SceneRecord>, [usize; 2])| {
+            Arc::ptr_eq(seen, state) && *seen_size == size
+        };
+        if self.seen.as_ref().is_some_and(is_known) {
+            return;
+        }
+        self.seen = Some((Arc::clone(state), size));
+        let value = present(&self.variable.key, state);
+        let refined = || Refined::new(self.variable.clone(), state, size);
+        let found = value.and_then(|value| Ok((value, refined()?)));
+        match (&mut self.wanted, found) {
+            // The scene of the curves stays the same record, which is compared by its address in each step.
+            (Ok((before, known)), Ok((value, new))) if known.is_same(&new) => *before = value,
+            (_, found) => self.wanted = found.map_err(|error| format!("{error:#}")),
+        }
+    }
+}
+
+impl Desk {
+    /// Shows a number of a scene against the error.
+    pub fn vary(&mut self, key: Key, record: &SceneRecord) {
+        match Variable::around(key, record) {
+            Ok(variable) => {
+                self.varied = Some(Varied::of(variable));
+                self.open(Tab::Vary);
+            }
+            Err(error) => self.say(format!("{error:#}")),
+        }
+    }
+}
+
+/// The numbers that are offered first, by their names.
+fn common_keys(world: &World) -> Vec<(&'static str, Key)> {
+    let camera = Key::from("camera").child(&camera_name(world));
+    let mut keys = vec![("distance", camera.child("orbit").child("zoom"))];
+    if let Some(name) = names::<Mesh>(world).first() {
+        let cuboid = Key::from("cuboid").child(name);
+        keys.push(("segments", cuboid.child("segments")));
+        keys.push(("shininess", cuboid.child("material").child("shininess")));
+    }
+    keys.push(("tolerance", Key::from("view.tolerance")));
+    keys
+}
 
 /// A curve with its method; `None` is the textbook's formula.
 type MethodCurve = (Option<Method>, Curve);
@@ -46,24 +109,19 @@ type MethodCurve = (Option<Method>, Curve);
 enum Change {
     Value(f64),
     Ends([f64; 2]),
-    Method(Method),
 }
 
-/// Lays out the tab. It writes the number, and the method of the cuboids.
+/// Lays out the tab. It writes the number.
 pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study, desk: &mut Desk) {
     ui.horizontal_wrapped(|ui| {
         for (name, key) in common_keys(&document.scene.world) {
-            if ui.small_button(name).clicked() {
+            // The first one is shown until another one is chosen.
+            if ui.small_button(name).clicked() || desk.varied.is_none() {
                 desk.vary(key, &document.state);
             }
         }
     });
     ui.separator();
-    if desk.varied.is_none()
-        && let Some((_, key)) = common_keys(&document.scene.world).into_iter().next()
-    {
-        desk.vary(key, &document.state);
-    }
     let Some(varied) = &mut desk.varied else {
         return;
     };
@@ -79,21 +137,6 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study,
             let variable = Variable::new(varied.variable.key.clone(), ends, &document.state);
             variable.map(|variable| desk.varied = Some(Varied::of(variable)))
         }
-        Some(Change::Method(method)) => {
-            let world = &mut document.scene.world;
-            // A curve of a tolerance that varies has no tolerance of its own.
-            let tolerance = viewer(world).tolerance;
-            choose_method(
-                world,
-                match method.mode {
-                    mode @ (ShadingMode::Gouraud | ShadingMode::Phong) => {
-                        Method::of(mode, tolerance)
-                    }
-                    _ => method,
-                },
-            );
-            Ok(())
-        }
         None => Ok(()),
     };
     // A drag passes numbers that are not legal.
@@ -107,8 +150,8 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study,
 /// Lays out the number, the curves, and the ranges in which methods keep the limit.
 fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let variable = &varied.variable;
-    let key = ui.strong(variable.key.to_string());
-    key.on_hover_text(variable.key.comment().unwrap_or_default());
+    ui.strong(variable.key.to_string());
+    ui.weak(variable.key.comment().unwrap_or_default());
     let (value, wanted) = match &varied.wanted {
         Ok((value, wanted)) => (*value, wanted),
         Err(reason) => {
@@ -116,8 +159,8 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
             return None;
         }
     };
-    let known = study.facts.curves.value.as_ref();
-    let known = known.filter(|it| it.is_same(wanted));
+    let latest = study.facts.curves.value.as_ref();
+    let known = latest.filter(|it| it.is_same(wanted));
     let curves = known.map(Refined::curves).unwrap_or_default();
     let [width, height] = wanted.size;
     let pictures =
@@ -147,8 +190,8 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     for (method, curve) in &curves {
         ui.horizontal_wrapped(|ui| {
             let name = method.map_or_else(|| "textbook in f32".to_owned(), method_name);
-            let name = ui.colored_label(ink(*method), capital(&name));
-            name.on_hover_text(says(*method));
+            ui.colored_label(ink(*method), capital(&name))
+                .on_hover_text(says(*method));
             let kept = curve.kept();
             ui.weak(format!("within {} of exact Phong: {kept}", wanted.limit));
         });
@@ -171,17 +214,17 @@ fn ink(method: Option<Method>) -> Color32 {
     method.map_or(INK, |method| mode_ink(method.mode))
 }
 
-/// A point of a curve in the plot: the place in the range, and the logarithm of the error.
-fn places(variable: &Variable, curve: &Curve) -> Vec<[f64; 2]> {
+/// The points of a curve in the plot: the share of the range, and the logarithm of the error.
+fn points(variable: &Variable, curve: &Curve) -> Vec<[f64; 2]> {
     let [least, most] = ERRORS;
-    let place = |value: f64, error: f64| [variable.share(value), error.clamp(least, most).log10()];
-    let points = curve.points.iter();
-    points
-        .filter_map(|it| Some(place(it.value, it.error()?)))
-        .collect()
+    let found = curve.points.iter().filter_map(|it| {
+        let error = it.error()?.clamp(least, most);
+        Some([variable.share(it.value), error.log10()])
+    });
+    found.collect()
 }
 
-/// Lays out the curves, with lines at the limit and at the present value. Returns what a drag or a click chooses.
+/// Lays out the curves, with lines at the limit and at the present value. Returns the value that a drag or a click chooses.
 fn plot(
     ui: &mut Ui,
     variable: &Variable,
@@ -196,23 +239,20 @@ fn plot(
         marks.map(grid_mark).collect()
     };
     let of_errors = |_: GridInput| {
-        ticks(&(ERRORS[0]..ERRORS[1]))
-            .into_iter()
-            .map(f64::log10)
-            .map(grid_mark)
-            .collect()
+        let marks = ticks(&(ERRORS[0]..ERRORS[1])).into_iter().map(f64::log10);
+        marks.map(grid_mark).collect()
     };
-    let plot = still(Plot::new("varied"))
+    let plot = Plot::new("varied")
         .width(ui.available_width() - BESIDE)
         .height(HEIGHT)
-        .sense(Sense::hover());
-    let plot = plot.x_grid_spacer(of_values).y_grid_spacer(of_errors);
-    let plot = plot.x_axis_formatter(|mark, _| in_words(variable.at(mark.value)));
-    let plot = plot.y_axis_formatter(|mark, _| rounded(10_f64.powf(mark.value), 1).to_string());
-    let plot = plot
+        .sense(Sense::hover())
+        .x_grid_spacer(of_values)
+        .y_grid_spacer(of_errors)
+        .x_axis_formatter(|mark, _| in_words(variable.at(mark.value)))
+        .y_axis_formatter(|mark, _| rounded(10_f64.powf(mark.value), 1).to_string())
+        .y_axis_min_width(34.0)
         .default_x_bounds(0.0, 1.0)
-        .default_y_bounds(least, most);
-    let plot = plot
+        .default_y_bounds(least, most)
         .grid_color(Color32::from_gray(58))
         .show_x(false)
         .show_y(false);
@@ -220,11 +260,11 @@ fn plot(
         // The keyboard's focus goes to the numbers below, not to the axes.
         ui.visuals_mut().disabled_alpha = 1.0;
         ui.disable();
-        plot.y_axis_min_width(34.0).show(ui, |plot| {
+        still(plot).show(ui, |plot| {
             let kept = HLine::new("", limit.log10()).color(Color32::GRAY);
             plot.hline(kept.style(LineStyle::dashed_dense()));
             for (method, curve) in curves {
-                let line = Line::new("", places(variable, curve)).color(ink(*method));
+                let line = Line::new("", points(variable, curve)).color(ink(*method));
                 plot.line(line.width(1.5).allow_hover(false));
             }
             let now = VLine::new("", variable.share(value)).color(Color32::WHITE);
@@ -233,14 +273,12 @@ fn plot(
     });
     let (area, transform) = (shown.inner.response.rect, shown.inner.transform);
     let mouse = ui.interact(area, ui.id().with("varied"), Sense::CLICK | Sense::DRAG);
-    mouse.widget_info(|| {
-        WidgetInfo::labeled(
-            WidgetType::Other,
-            true,
-            format!("errors over {}", variable.key),
-        )
-    });
-    pick(&mouse, &transform, variable, curves)
+    let name = format!("errors over {}", variable.key);
+    mouse.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, &name));
+    let at = mouse.interact_pointer_pos()?;
+    let share = transform.value_from_position(at).x.clamp(0.0, 1.0);
+    let chosen = rounded(variable.at(share), 2).clamp(variable.from, variable.to);
+    (mouse.dragged() || mouse.clicked()).then_some(Change::Value(chosen))
 }
 
 fn grid_mark(value: f64) -> GridMark {
@@ -249,35 +287,4 @@ fn grid_mark(value: f64) -> GridMark {
         value,
         step_size: 10.0,
     }
-}
-
-/// The curve that is clicked, else the value at the mouse.
-fn pick(
-    mouse: &Response,
-    transform: &PlotTransform,
-    variable: &Variable,
-    curves: &[MethodCurve],
-) -> Option<Change> {
-    let at = mouse
-        .interact_pointer_pos()
-        .filter(|_| mouse.dragged() || mouse.clicked())?;
-    let distance = |points: &[[f64; 2]]| {
-        let [from, to] = [points.first()?, points.last()?]
-            .map(|it| transform.position_from_point(&PlotPoint::from(*it)));
-        let along = vec2(to.x - from.x, to.y - from.y);
-        let share = ((at - from).dot(along) / along.length_sq()).clamp(0.0, 1.0);
-        Some((from + along * share).distance(at))
-    };
-    let nearest = curves.iter().filter_map(|(method, curve)| {
-        let points = places(variable, curve);
-        let distances = points.windows(2).filter_map(distance);
-        Some(((*method)?, distances.reduce(f32::min)?))
-    });
-    let nearest = nearest.min_by(|one, other| one.1.total_cmp(&other.1));
-    if let Some((method, _)) = nearest.filter(|it| mouse.clicked() && it.1 <= REACH) {
-        return Some(Change::Method(method));
-    }
-    let share = transform.value_from_position(at).x.clamp(0.0, 1.0);
-    let value = rounded(variable.at(share), 2);
-    Some(Change::Value(value.clamp(variable.from, variable.to)))
 }

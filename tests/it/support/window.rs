@@ -10,7 +10,7 @@ use fearless_simd::Level;
 use shadetrade::components::{Viewer, viewer_mut};
 use shadetrade::questions::job::Drawing;
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::window::{app::App, study::Background, widgets};
+use shadetrade::window::{app::App, study::Runner, widgets};
 
 /// The built-in scene as it opens.
 pub fn first_scene() -> Scene {
@@ -33,7 +33,7 @@ pub fn app(scene: Scene, size: [usize; 2], level: Level) -> App {
         threads: 1,
         level,
     };
-    let mut app = App::new(drawing, Background::AtOnce).expect("one thread is always there");
+    let mut app = App::new(drawing, Runner::AtOnce).expect("one thread is always there");
     app.desk.shows_times = false;
     app
 }

@@ -3,9 +3,7 @@
 use std::time::Duration;
 
 use shadetrade::components::ShadingMode::{Phong, UnitVectors};
-use shadetrade::components::{
-    NormalMode, Projection, Side, ViewMode, common, common_mode, viewer, viewer_mut,
-};
+use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, viewer, viewer_mut};
 use shadetrade::scene::{self, Scene, SceneRecord};
 use shadetrade::window::choice::Choice;
 use shadetrade::window::controls::{
@@ -140,5 +138,6 @@ fn a_budget_is_within_its_range_and_its_outcome_tells_the_method() {
     assert!(last.contains("7.50 ms"), "{last}");
     assert!(!unknown.contains("ms"), "{unknown}");
     choice.set_budget(&mut world, None);
-    assert_eq!(common_mode(&world), Some(Phong));
+    assert_eq!(viewer(&world).budget, None);
+    assert_eq!(viewer(&world).tolerance, 4.0, "as before");
 }

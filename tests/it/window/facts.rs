@@ -15,9 +15,10 @@ use shadetrade::systems::frame::{Keep, Workers};
 use shadetrade::window::app::App;
 use shadetrade::window::canvas::REST;
 use shadetrade::window::desk::{Desk, reading_time};
-use shadetrade::window::facts::{Question, Work, pool};
+use shadetrade::window::facts::Change;
 use shadetrade::window::inspector::Tab;
-use shadetrade::window::study::{Background, Change, RECENT, Study, Subject};
+use shadetrade::window::study::{Runner, SLOW_PROOF, Study, Subject};
+use shadetrade::window::work::{Question, Work, pool};
 
 use super::files::on_file;
 use super::{PAUSE, Window, press};
@@ -194,7 +195,7 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
     window.app.desk.open(Tab::Proof);
     window.wait(PAUSE);
     window.wait(PAUSE);
-    let proof = window.app.study.facts.proof.current().expect("an answer");
+    let (_, proof) = window.app.study.facts.proof.current().expect("an answer");
     let [width, height] = window.app.canvas.size();
     assert_eq!(proof.refuted, 0);
     assert_eq!(proof.proven + proof.undecided, (width * height) as u64);
@@ -209,7 +210,7 @@ fn the_status_line_does_not_tell_of_the_proof_of_the_picture_before() {
     assert!(window.app.study.facts.proof.is_current);
     let mut harness = widgets(window.app, [1000, 120]);
     let says_proven = |harness: &Harness<App>| {
-        let mut labels = harness.query_all_by_label_contains("should be");
+        let mut labels = harness.query_all_by_label_contains("drawn right");
         labels.next().is_some()
     };
     assert!(says_proven(&harness));
@@ -252,7 +253,7 @@ fn ask(study: &mut Study, probed: bool, rests: bool, desk: &Desk) {
 }
 
 fn live() -> Study {
-    Study::new(Background::Threads).expect("the system has threads")
+    Study::new(Runner::Threads).expect("the system has threads")
 }
 
 /// Whether a study works: progress or an answer is to be shown.
@@ -275,9 +276,9 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
         assert_eq!(question, Some(expected), "things move");
     }
     let changes: [(_, fn(&mut Study), _); 4] = [
-        (true, |it| it.outdate(Change::Pixel, None), false),
-        (false, |it| it.outdate(Change::Shown, None), true),
-        (false, |it| it.outdate(Change::Method, None), false),
+        (true, |it| it.outdate(Change::Method), false),
+        (false, |it| it.outdate(Change::Nothing), true),
+        (false, |it| it.outdate(Change::Method), false),
         (false, Study::clear, false),
     ];
     for (is_probed, change, goes_on) in changes {
@@ -290,7 +291,7 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     study.facts.comparison.finish(None);
     ask(&mut study, false, true, &desk);
     ask(&mut study, true, true, &desk);
-    study.outdate(Change::Pixel, None);
+    study.outdate(Change::Method);
     assert!(!works(study), "the pixel stopped the proof");
 }
 
@@ -302,7 +303,7 @@ fn a_proof_goes_on_while_things_move_unless_it_is_slow() {
         study
     };
     let mut study = begin();
-    study.outdate(Change::Scene, None);
+    study.outdate(Change::Scene);
     while study.last_proof().is_none() {
         std::thread::yield_now();
         study.receive(Duration::ZERO);
@@ -317,8 +318,8 @@ fn a_proof_goes_on_while_things_move_unless_it_is_slow() {
 
     let mut study = begin();
     let work = study.work.as_mut().expect("a proof");
-    work.begun -= 2 * RECENT;
-    study.outdate(Change::Scene, None);
+    work.begun -= 2 * SLOW_PROOF;
+    study.outdate(Change::Scene);
     ask(&mut study, false, false, &Desk::default());
     assert!(study.work.is_none(), "it is given up");
 }

@@ -115,7 +115,7 @@ fn the_line_goes_through_the_highlight_in_windows_of_all_sizes() {
         let column = window.app.canvas.divider_column(&window.app.viewer());
         let [first, last] = highlight(&window);
         // A good part of it is seen on the right, and is missing on the left.
-        let part = (last - first) / 4;
+        let part = (last - first) / 8;
         let middle = first + part..=last - part;
         assert!(middle.contains(&column), "{size:?}: {column}, {middle:?}");
     }

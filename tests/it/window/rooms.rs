@@ -25,10 +25,10 @@ use shadetrade::window::comparison::Comparison;
 use shadetrade::window::controls::shade;
 use shadetrade::window::desk::Desk;
 use shadetrade::window::document::{Document, has_edits};
-use shadetrade::window::facts::Facts;
+use shadetrade::window::facts::{Change, Facts, change};
 use shadetrade::window::keys::EXACT_SIDES;
 use shadetrade::window::panel::light_rows;
-use shadetrade::window::study::{Background, Change, Study, Subject, change};
+use shadetrade::window::study::{Runner, Study, Subject};
 
 use super::trade::trade;
 use crate::support::window::default_scene;
@@ -212,10 +212,10 @@ fn a_change_is_as_great_as_the_facts_that_it_outdates() {
     };
     assert_eq!(by(|_| ()), Change::Nothing);
     assert_eq!(by(|it| it.view.budget = Some(2.0)), Change::Nothing);
-    assert_eq!(by(|it| it.view.pixel = Some([0.1; 2])), Change::Pixel);
-    assert_eq!(by(|it| it.view.show = ViewMode::Error), Change::Shown);
-    assert_eq!(by(|it| it.view.sides = EXACT_SIDES), Change::Shown);
-    assert_eq!(by(|it| it.view.divider = 0.25), Change::Shown);
+    assert_eq!(by(|it| it.view.pixel = Some([0.1; 2])), Change::Nothing);
+    assert_eq!(by(|it| it.view.show = ViewMode::Error), Change::Nothing);
+    assert_eq!(by(|it| it.view.sides = EXACT_SIDES), Change::Nothing);
+    assert_eq!(by(|it| it.view.divider = 0.25), Change::Nothing);
     assert_eq!(by(|it| it.view.tolerance = 1.0), Change::Method);
     assert_eq!(by(|it| it.cuboid[0].shading = Phong), Change::Method);
     assert_eq!(by(|it| it.light[0].on = false), Change::Scene);
@@ -225,18 +225,13 @@ fn a_change_is_as_great_as_the_facts_that_it_outdates() {
     let wide = View::of(&before.spawn(), [80, 48]);
     let same = (&before, &view(&before));
     assert_eq!(change(same, (&before, &wide)), Change::Scene);
-    let [first, second] = [0.1, 0.2].map(|right| {
-        record_after(|it| (it.view.show, it.view.pixel) = (ViewMode::Wipe, Some([right, 0.0])))
-    });
-    let moved = change((&first, &wide), (&second, &wide));
-    assert_eq!(moved, Change::Shown, "perhaps to the other side");
 }
 
 #[test]
 fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method() {
     let record = record_after(|it| it.view.pixel = Some([0.0; 2]));
     let desk = Desk::default();
-    let mut study = Study::new(Background::AtOnce).expect("it takes no threads");
+    let mut study = Study::new(Runner::AtOnce).expect("it takes no threads");
     let subject = Subject {
         name: "default",
         record: &record,
@@ -247,17 +242,26 @@ fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method(
         workers: &Workers::alone(Level::new()),
         rests: false,
     };
-    study.ask(&subject, &desk);
-    assert!(study.facts.probed(Some([32, 24])).is_some());
-    // A pixel of the same row is known, one of another row is not.
-    study.outdate(Change::Pixel, Some([33, 24]));
-    assert!(study.facts.section.is_current);
-    study.outdate(Change::Pixel, Some([33, 25]));
-    assert!(!study.facts.section.is_current);
+    for (pixel, side, row) in [
+        ([32, 24], Side::Picture, 24),
+        ([33, 24], Side::Picture, 24),
+        ([33, 25], Side::Picture, 25),
+        ([33, 25], Side::Reference, 25),
+    ] {
+        let asked = Subject {
+            pixel: Some((pixel, side)),
+            ..subject
+        };
+        study.ask(&asked, &desk);
+        let (of, probes) = study.facts.section.current().expect("an answer");
+        assert!(*of == side && probes.iter().all(|it| it.pixel[1] == row));
+        assert!(study.facts.probed(Some(pixel)).is_some());
+    }
     study.facts.trade.finish(Some(trade()));
-    study.outdate(Change::Method, None);
+    study.outdate(Change::Method);
+    assert!(!study.facts.section.is_current);
     assert!(study.facts.trade.is_current, "it is of every method");
-    study.outdate(Change::Scene, None);
+    study.outdate(Change::Scene);
     assert!(!study.facts.trade.is_current);
 }
 
@@ -298,7 +302,7 @@ fn the_rows_of_lights_switch_the_lights_of_a_world() {
 
 #[test]
 fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
-    let mut study = Study::new(Background::AtOnce).expect("it takes no threads");
+    let mut study = Study::new(Runner::AtOnce).expect("it takes no threads");
     study.facts.trade.finish(Some(trade()));
     let mut world = default_scene().world;
     shade(&mut world, ShadingMode::Gouraud);

@@ -1,4 +1,4 @@
-//! The tab of a number that is varied: its curves, the line that is dragged, the curve that is clicked.
+//! The tab of a number that is varied: its curves, and the line that is dragged.
 
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
@@ -8,7 +8,6 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{ShadingMode, common_mode};
 use shadetrade::output::Monitor;
 use shadetrade::output::finished;
 use shadetrade::questions::vary::curve::Curve;
@@ -103,10 +102,9 @@ fn curves_reach_from_end_to_end_and_end_within_a_hundredth() {
 }
 
 #[test]
-fn the_line_is_dragged_and_a_click_on_a_curve_chooses_its_method() {
+fn the_line_is_dragged() {
     let key = "cuboid.emerald.material.shininess";
     let window = varying(key);
-    let gouraud = curves(&window.app)[0].points[2];
     let variable = window
         .app
         .desk
@@ -131,18 +129,6 @@ fn the_line_is_dragged_and_a_click_on_a_curve_chooses_its_method() {
     let mut record = SceneRecord::of(&harness.state().document.scene.world);
     record.cuboid[0].material.shininess = before.cuboid[0].material.shininess;
     assert_eq!(record, *before);
-    // A point of Gouraud's curve away from the others, on axes from 1e-4 to 500 levels.
-    press(&mut harness, Press::P);
-    let mode = |harness: &Harness<App>| common_mode(&harness.state().document.scene.world);
-    assert_eq!(mode(&harness), Some(ShadingMode::Phong));
-    let height = (gouraud.found.error[1] / 1e-4).log10() / (500.0_f64 / 1e-4).log10();
-    let up = area.bottom() - area.height() * height as f32;
-    click(
-        &mut harness,
-        &[pos2(at(variable.share(gouraud.value)).x, up)],
-    );
-    assert_eq!(mode(&harness), Some(ShadingMode::Gouraud));
-    assert!((value(harness.state(), key) - dragged).abs() < 1e-12);
 }
 
 /// Small cuboids at every pixel, and large ones at some of them.
