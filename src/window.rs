@@ -32,22 +32,20 @@ pub mod labels;
 mod layout;
 pub mod lesson;
 pub mod lights;
+mod marks;
 mod opening;
 pub mod panel;
 pub mod pictures;
 #[cfg(not(target_family = "wasm"))]
 mod run;
-#[cfg(not(target_family = "wasm"))]
-pub mod screen;
 pub mod study;
 mod tags;
 pub mod unsaved;
-mod vertices;
 mod viewport;
 pub mod widgets;
 pub mod work;
 
 #[cfg(not(target_family = "wasm"))]
-pub use display::{NoWindow, restart_in_fit_environment};
+pub use display::NoWindow;
 #[cfg(not(target_family = "wasm"))]
-pub use run::run;
+pub use run::{restart_in_fit_environment, run};

@@ -7,8 +7,8 @@ use super::comparison::Worst;
 use super::controls;
 use super::inspector::Tab;
 use super::keys::{self, Action, EXACT_SIDES};
+use super::marks::CROSS;
 use super::pictures::sides;
-use super::viewport::CROSS;
 use crate::components::ViewMode;
 use crate::scene::BUILT_IN;
 

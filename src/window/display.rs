@@ -10,9 +10,11 @@ use anyhow::{Context, anyhow};
 use egui::{Event, PointerButton, Pos2};
 use minifb::{InputCallback, Key, MouseButton, MouseMode, ScaleMode, WindowOptions};
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
+use x11rb::connection::Connection;
+use x11rb::protocol::xproto::{AtomEnum, ConnectionExt};
+use x11rb::rust_connection::RustConnection;
 
 use super::input::{Input, KeyReport};
-use super::screen::{Screen, x_screen};
 
 /// One notch of the wheel, as each window system reports it.
 const NOTCH: f32 = if cfg!(windows) {
@@ -29,6 +31,10 @@ const USUAL: [usize; 2] = [1280, 800];
 const SMALL: [usize; 2] = [960, 720];
 /// The bits a pixel that minifb shows.
 const DEPTH: u8 = 24;
+/// The dots per inch at which a point of egui is a pixel.
+const USUAL_DPI: f32 = 96.0;
+/// The length of the longest table of resources that is read, in units of four bytes.
+const MOST: u32 = 1 << 18;
 
 /// No window can be opened; nothing has been done.
 #[derive(Debug, thiserror::Error)]
@@ -228,7 +234,7 @@ impl Display {
     }
 }
 
-fn is_set(variable: &str) -> bool {
+pub(super) fn is_set(variable: &str) -> bool {
     std::env::var_os(variable).is_some_and(|value| !value.is_empty())
 }
 
@@ -261,36 +267,41 @@ fn key_first(reports: &mut [KeyReport]) {
     }
 }
 
-/// Restarts the program with an environment in which minifb opens a window that can be used. Call it before anything is read.
-///
-/// Xlib crashes where `XMODIFIERS` names an input method that does not run; the program needs none. GNOME draws no frame
-/// around a window of minifb on Wayland, so its X server is taken where there is one.
-///
-/// # Errors
-/// If the program cannot be restarted.
-pub fn restart_in_fit_environment() -> anyhow::Result<()> {
-    #[cfg(all(unix, not(target_os = "macos")))]
-    {
-        use std::os::unix::process::CommandExt;
-        const NO_METHOD: &str = "@im=none";
-        let has_display = is_set("DISPLAY");
-        let method = std::env::var_os("XMODIFIERS");
-        let replaces_method = has_display && method.is_some_and(|method| method != NO_METHOD);
-        let desktop = std::env::var("XDG_CURRENT_DESKTOP").unwrap_or_default();
-        let leaves_wayland = has_display && is_set("WAYLAND_DISPLAY") && desktop.contains("GNOME");
-        if replaces_method || leaves_wayland {
-            let restarted = std::env::current_exe().map(|program| {
-                let mut command = std::process::Command::new(program);
-                command.args(std::env::args_os().skip(1));
-                command.env("XMODIFIERS", NO_METHOD);
-                if leaves_wayland {
-                    command.env_remove("WAYLAND_DISPLAY");
-                }
-                command.exec()
-            });
-            let error = restarted.unwrap_or_else(|error| error);
-            return Err(error).context("cannot restart in an environment that can open a window");
-        }
-    }
-    Ok(())
+/// The screen of an X server. It holds a connection: a server without other clients resets once the last one leaves, and refuses
+/// a window that is opened meanwhile.
+struct Screen {
+    _connection: RustConnection,
+    /// Bits a pixel.
+    depth: u8,
+    /// Pixels in a point of egui.
+    scale: f32,
+    /// Width and height in pixels.
+    size: [usize; 2],
+}
+
+/// Asks the X server that `DISPLAY` names. minifb crashes on a screen whose depth it does not know, and does not tell the
+/// dots per inch.
+fn x_screen() -> Option<Screen> {
+    let (connection, index) = x11rb::connect(None).ok()?;
+    let screen = connection.setup().roots.get(index)?;
+    let (table, text) = (AtomEnum::RESOURCE_MANAGER, AtomEnum::STRING);
+    let asked = connection.get_property(false, screen.root, table, text, 0, MOST);
+    let resources = asked.ok()?.reply().ok()?.value;
+    let depth = screen.root_depth;
+    let size = [screen.width_in_pixels, screen.height_in_pixels].map(usize::from);
+    Some(Screen {
+        _connection: connection,
+        depth,
+        scale: scale(&String::from_utf8_lossy(&resources)),
+        size,
+    })
+}
+
+/// The pixels in a point, by the `Xft.dpi` among the resources of an X server.
+pub fn scale(resources: &str) -> f32 {
+    let mut values = resources
+        .lines()
+        .filter_map(|it| it.strip_prefix("Xft.dpi:"));
+    let dpi = values.find_map(|it| it.trim().parse().ok());
+    (dpi.unwrap_or(USUAL_DPI) / USUAL_DPI).clamp(0.5, 4.0)
 }

@@ -1,17 +1,21 @@
 //! The words on a picture that stands alone: the names in it, the line of a wipe, scales, and the curve along a row.
 
-use egui::{Align2, Frame, Painter, Pos2, Rect, Ui, UiBuilder, Vec2, vec2};
+use egui::color_picker::show_color;
+use egui::{
+    Align2, Color32, Frame, Painter, Pos2, Rect, Response, Sense, Ui, UiBuilder, Vec2, vec2,
+};
 
 use super::canvas::Canvas;
+use super::error_map::{EDGE, NOTHING, draw_scale, position};
 use super::facts::Facts;
 use super::inspector::section;
-use super::pictures::QUARTERS;
+use super::marks::{draw_cross, draw_line};
+use super::pictures::{QUARTERS, TINTS};
 use super::tags::side_name;
-use super::viewport::{draw_cross, draw_line, legend};
 use super::widgets::{INK, tag};
 use crate::components::{LightKind, Side, ViewMode, Viewer};
-use crate::output::paint::{annotate, area};
-use crate::shading::Method;
+use crate::output::paint::{annotate, area, color};
+use crate::shading::{Method, SquareKind};
 
 /// From a label to the edge of the picture, in points.
 const GAP: f32 = 10.0;
@@ -123,4 +127,53 @@ fn draw_terms(painter: &Painter, place: Rect) {
         let corner = place.min + place.size() * share + vec2(12.0, 10.0);
         tag(painter, Align2::LEFT_TOP, corner, name, INK);
     }
+}
+
+/// The meaning of the colours of the error map or of squares.
+fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, facts: &Facts) {
+    if viewer.show == ViewMode::Error {
+        return error_legend(ui, viewer.tolerance, facts);
+    }
+    let counts = canvas.pictures.frame.counts().squares;
+    let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
+    ui.label("squares, by the colour in them");
+    for ((kind, tint), count) in kinds {
+        let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
+        row.on_hover_text(match kind {
+            SquareKind::Linear => "Squares with a colour linear in x and y.",
+            SquareKind::Quadratic => "Squares with a colour quadratic in x and in y.",
+            SquareKind::Terminator => "As quadratic, where n.l of one light changes sign.",
+            SquareKind::Highlight => "As quadratic, with the power of one highlight at each pixel.",
+            _ => "Squares in which the model is evaluated at each pixel.",
+        });
+    }
+}
+
+/// The scale of the error map, with marks at the tolerance and at the largest error.
+fn error_legend(ui: &mut Ui, tolerance: f64, facts: &Facts) {
+    ui.label("error against exact Phong, levels");
+    let comparison = facts.comparison.current();
+    let largest = comparison.and_then(|it| it.worst).map(|it| it.error);
+    let size = vec2(ui.available_width().min(260.0), 26.0);
+    let (place, response) = ui.allocate_exact_size(size, Sense::hover());
+    response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");
+    let painter = ui.painter_at(place);
+    draw_scale(&painter, place, Color32::GRAY);
+    let marks = [Some(tolerance), largest];
+    for mark in marks.into_iter().flatten() {
+        // The scale leaves room for its last label.
+        let share = position(mark) as f32;
+        let x = place.min.x + share * (place.width() - place.height());
+        painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
+    }
+    swatch(ui, EDGE, "another face is seen");
+    swatch(ui, NOTHING, "nothing is drawn");
+}
+
+fn swatch(ui: &mut Ui, pixel: u32, text: &str) -> Response {
+    let row = ui.horizontal(|ui| {
+        show_color(ui, color(pixel), vec2(14.0, 14.0));
+        ui.label(text)
+    });
+    row.inner
 }

@@ -37,8 +37,7 @@ const ROW: f32 = 20.0;
 /// The letters above the picture, in points.
 const LETTERS: f32 = 15.0;
 
-const QUESTION: &str =
-    "Same box, same lamps, one difference: where is the bright spot on the left?";
+const QUESTION: &str = "Same box, same lamps: where is the bright spot on the left?";
 const MIXED: &str = "The cuboids are shaded in different modes.";
 const METHOD: &str = "The method on screen.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
@@ -206,7 +205,7 @@ impl App {
             Some((_, Some(Worst { error, .. }))) => {
                 let name = method.map_or("The picture".to_owned(), |it| capital(&method_name(it)));
                 let error = short(error);
-                let text = format!("{name} is off by {error} of 255 at its worst pixel.");
+                let text = format!("{name} is off by up to {error} of 255.");
                 let link = ui.link(RichText::new(text).color(INK));
                 link.on_hover_text(ERROR).clicked()
             }

@@ -15,9 +15,10 @@ use super::controls::has_face_normals;
 use super::desk::Desk;
 use super::document::Document;
 use super::facts::Facts;
-use super::keys::{Action, caption};
+use super::keys::Action;
 use super::labels::Labels;
 use super::layout::message;
+use super::panel::light_row;
 use super::pictures::exact_view;
 use super::widgets::{BAD, GOOD, INK, button, number, offer, segment_buttons, short, text};
 use crate::components::range::{Shininess, Strength};
@@ -161,15 +162,14 @@ fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, contro
                 number(ui, &mut material.shininess, Shininess::RANGE);
             }
         }
-        Control::On | Control::Intensity => {
+        Control::On => {
             for (place, entity) in ordered::<Light>(world).into_iter().enumerate() {
-                let Ok((name, light)) = world.query_one_mut::<(&Name, &mut Light)>(entity) else {
-                    continue;
-                };
-                if control == Control::On {
-                    ui.checkbox(&mut light.on, &name.0);
-                    ui.weak(caption(Action::Light(place)));
-                } else {
+                light_row(ui, world, entity, place);
+            }
+        }
+        Control::Intensity => {
+            for entity in ordered::<Light>(world) {
+                if let Ok((name, light)) = world.query_one_mut::<(&Name, &mut Light)>(entity) {
                     ui.label(&name.0);
                     number(ui, &mut light.intensity, Strength::RANGE);
                 }

@@ -1,8 +1,7 @@
-//! The lights over the picture: discs of those in sight, which can be dragged, arrows towards the others, and the vectors at the
-//! probed pixel.
+//! The lights over the picture: discs of those in sight, which can be dragged, and arrows towards the others.
 
 use egui::emath::round_to_decimals;
-use egui::{Align, Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
+use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 use hecs::World;
 
@@ -11,22 +10,13 @@ use super::desk::Desk;
 use super::tags::ROOM;
 use super::widgets::tag;
 use crate::components::range::Coordinate;
-use crate::components::{
-    Camera, Lens, Light, LightKind, Name, Transform, View, active_camera, in_file_order,
-};
+use crate::components::{Lens, Light, LightKind, Name, Transform, View, in_file_order};
 use crate::output::paint::color;
-use crate::questions::probe::Probe;
 use crate::systems::frame::display_pixel;
 
 /// No more discs than this are drawn.
 const MOST: usize = 100;
 const RADIUS: f32 = 7.0;
-/// The length of a unit vector across the view, in points. A vector that the view shortens to a share of it has the root of that
-/// share.
-const UNIT: f32 = 110.0;
-const NORMAL: Color32 = Color32::from_rgb(0x9a, 0xe6, 0x4b);
-const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
-
 const AWAY: &str =
     "It is outside of the picture. Zoom out (-) to drag it, or change its numbers (E).";
 
@@ -172,73 +162,8 @@ pub fn drag_light(world: &mut World, view: &View, name: &str, by: Vec2) {
     }
 }
 
-/// Draws n, o, and the l and r of each light, from the probed pixel, as they are seen in the view, and a legend in a
-/// corner of the picture.
-pub fn draw_arrows(
-    painter: &egui::Painter,
-    probe: &Probe,
-    world: &World,
-    canvas: &Canvas,
-    corner: Align2,
-) {
-    let Some(surface) = &probe.surface else {
-        return;
-    };
-    let at = canvas.place_of(probe.pixel);
-    let [right, up, _] = Camera::of(world, active_camera(world)).axes();
-    let mut row = corner.pos_in_rect(&canvas.place.shrink2(vec2(10.0, 14.0)));
-    let step = if corner.y() == Align::TOP {
-        20.0
-    } else {
-        -20.0
-    };
-    let align = Align2([corner.x(), Align::Center]);
-    let mut arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
-        let Some(vector) = vector else {
-            return;
-        };
-        tag(painter, align, row, name, ink);
-        row.y += step;
-        let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32);
-        // The root keeps vectors along the view long enough to be told apart.
-        let way = way * (UNIT / way.length().sqrt().max(1e-3));
-        for (width, ink) in [(4.0, Color32::from_black_alpha(150)), (2.0, ink)] {
-            painter.arrow(at, way, (width, ink));
-        }
-    };
-    // Lights in one direction have one arrow.
-    let mut directions: Vec<(DVec3, Option<DVec3>, Vec<&str>)> = Vec::new();
-    for light in surface.lights() {
-        let Some(to_light) = light.to_light else {
-            continue;
-        };
-        match directions.iter_mut().find(|it| it.0 == to_light) {
-            Some((_, reflected, names)) => {
-                *reflected = reflected.or(light.reflected);
-                names.push(&light.name);
-            }
-            None => directions.push((to_light, light.reflected, vec![&light.name])),
-        }
-    }
-    for (to_light, reflected, names) in directions {
-        let ink = light_color(world, names[0]);
-        arrow("r, l reflected", ink.gamma_multiply(0.7), reflected);
-        arrow(&format!("l to {}", names.join(", ")), ink, Some(to_light));
-    }
-    let sample = surface.sample.as_ref();
-    arrow("o to the eye", TO_EYE, sample.map(|it| it.to_eye));
-    arrow("n, the normal", NORMAL, sample.map(|it| it.normal));
-}
-
-/// The colour of the light of this name.
-fn light_color(world: &World, name: &str) -> Color32 {
-    let mut lights = world.query::<(&Name, &Light)>();
-    let light = lights.iter().find(|(own, _)| own.0 == name);
-    light.map_or(Color32::WHITE, |(_, light)| brightest(light.color))
-}
-
 /// A light's colour with its largest channel at full strength.
-fn brightest(channels: DVec3) -> Color32 {
+pub fn brightest(channels: DVec3) -> Color32 {
     let largest = channels.max_element().max(f64::MIN_POSITIVE);
     color(display_pixel((channels / largest * 255.0).to_array()))
 }

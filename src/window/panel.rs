@@ -87,16 +87,15 @@ pub fn headings(ui: &mut Ui, app: &mut App) {
             let is_open = app.desk.is_open(tab);
             if !is_low {
                 let arrow = if is_open { "⏷" } else { "⏵" };
-                let heading = ui.add(
-                    Button::selectable(is_open, name)
-                        .shortcut_text(format!("{keys} {arrow}"))
-                        .min_size(vec2(ui.available_width(), 0.0)),
-                );
+                let button = Button::selectable(is_open, name)
+                    .shortcut_text(format!("{keys} {arrow}"))
+                    .min_size(vec2(ui.available_width(), 0.0));
+                let heading = ui.add(button).on_hover_text(says);
+                if heading.clicked() {
+                    app.desk.switch(tab);
+                }
                 if app.desk.revealed.take_if(|it| *it == tab).is_some() {
                     heading.scroll_to_me(Some(Align::TOP));
-                }
-                if heading.on_hover_text(says).clicked() {
-                    app.desk.switch(tab);
                 }
             }
             if is_open {
@@ -130,7 +129,8 @@ pub fn light_rows(ui: &mut Ui, world: &World) {
     scroll.show_rows(ui, height, lights.len(), rows);
 }
 
-fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
+/// Lays out the switch of a light, its kind and its key.
+pub fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
     let mut query = world.query_one::<(&Name, &mut Light)>(entity);
     let Ok((name, light)) = query.get() else {
         return;
@@ -191,10 +191,7 @@ pub fn file_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
         let field = ui.text_edit_singleline(&mut document.file.new_name);
         field.on_hover_text(NEW_NAME);
     });
-    // A scene without a file of its own is saved to a new one by either key.
-    if document.scene.path.is_some() {
-        path_row(ui, Action::SaveAs, &document.target(true));
-    }
+    path_row(ui, Action::SaveAs, &document.target(true));
 }
 
 /// The file that a key writes, and its folder.

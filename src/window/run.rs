@@ -1,6 +1,6 @@
 //! The loop of the window: it decides when to step, to show the pixels again, and to sleep.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -10,10 +10,11 @@ use anyhow::Context;
 use egui::{Event, RawInput};
 
 use super::app::App;
-use super::display::Display;
-use super::screen::{keep_zoom, kept_zoom};
+use super::display::{Display, is_set};
 use super::study::Runner;
 use super::unsaved::state_folder;
+use crate::output::Output;
+use crate::output::files::make_folders;
 use crate::questions::job::Drawing;
 
 /// The time between two polls while the user does something, so that short clicks are seen.
@@ -26,6 +27,8 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 /// has covered them. Less often if this would take more than one part in [`PRESENT_SHARE`] of the time.
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
+/// The file of the factor that the user chose with `Ctrl +`, in the folder of the program's state.
+const ZOOM: &str = "zoom";
 
 /// Shows `drawing` in a window of its size until the user quits.
 ///
@@ -164,4 +167,57 @@ impl Session {
         }
         Ok(())
     }
+}
+
+/// The factor of the letters' size that is kept in `folder`, else 1.
+fn kept_zoom(folder: &Path) -> f32 {
+    let text = std::fs::read_to_string(folder.join(ZOOM)).unwrap_or_default();
+    let zoom = text.trim().parse().ok();
+    zoom.filter(|zoom| (0.2..=5.0).contains(zoom))
+        .unwrap_or(1.0)
+}
+
+/// Keeps the factor of the letters' size in `folder`.
+///
+/// # Errors
+/// If it cannot be written.
+fn keep_zoom(folder: &Path, zoom: f32) -> anyhow::Result<()> {
+    make_folders(folder)
+        .map_err(anyhow::Error::from)
+        .and_then(|()| Output::File(folder.join(ZOOM)).write(zoom.to_string()))
+        .context("the size of the letters is not kept")
+}
+
+/// Restarts the program with an environment in which minifb opens a window that can be used. Call it before anything is read.
+///
+/// Xlib crashes where `XMODIFIERS` names an input method that does not run; the program needs none. GNOME draws no frame
+/// around a window of minifb on Wayland, so its X server is taken where there is one.
+///
+/// # Errors
+/// If the program cannot be restarted.
+pub fn restart_in_fit_environment() -> anyhow::Result<()> {
+    #[cfg(all(unix, not(target_os = "macos")))]
+    {
+        use std::os::unix::process::CommandExt;
+        const NO_METHOD: &str = "@im=none";
+        let has_display = is_set("DISPLAY");
+        let method = std::env::var_os("XMODIFIERS");
+        let replaces_method = has_display && method.is_some_and(|method| method != NO_METHOD);
+        let desktop = std::env::var("XDG_CURRENT_DESKTOP").unwrap_or_default();
+        let leaves_wayland = has_display && is_set("WAYLAND_DISPLAY") && desktop.contains("GNOME");
+        if replaces_method || leaves_wayland {
+            let restarted = std::env::current_exe().map(|program| {
+                let mut command = std::process::Command::new(program);
+                command.args(std::env::args_os().skip(1));
+                command.env("XMODIFIERS", NO_METHOD);
+                if leaves_wayland {
+                    command.env_remove("WAYLAND_DISPLAY");
+                }
+                command.exec()
+            });
+            let error = restarted.unwrap_or_else(|error| error);
+            return Err(error).context("cannot restart in an environment that can open a window");
+        }
+    }
+    Ok(())
 }

@@ -1,9 +1,7 @@
-//! The picture's area: drags, clicks and the wheel over it, and the marks and the legend drawn on it.
+//! The picture's area: drags, clicks and the wheel over it, and what is laid out on it.
 
-use egui::color_picker::show_color;
 use egui::{
-    Align2, Color32, Event, PointerButton, Pos2, Rangef, Rect, Response, RichText, Sense, Ui, Vec2,
-    vec2,
+    Align2, Color32, Event, PointerButton, Pos2, Rect, Response, RichText, Sense, Ui, Vec2, vec2,
 };
 use hecs::World;
 
@@ -11,26 +9,17 @@ use super::app::App;
 use super::canvas::Canvas;
 use super::controls::{orbit, zoom};
 use super::document::Document;
-use super::error_map::{EDGE, NOTHING, draw_scale, position};
-use super::facts::Facts;
 use super::inspector::Tab;
 use super::labels::Labels;
-use super::lights::{discs, draw_arrows};
-use super::pictures::TINTS;
+use super::lights::discs;
+use super::marks::{draw_arrows, draw_line, mark_triangle, mark_vertices, outline};
 use super::unsaved::edits_bar;
-use super::vertices::{mark_triangle, mark_vertices};
 use super::widgets::{BAD, bar, tag};
-use crate::components::{
-    FileOrder, Lens, Mesh, Transform, View, ViewMode, Viewer, viewer, viewer_mut,
-};
-use crate::output::paint::color;
+use crate::components::{View, ViewMode, Viewer, viewer, viewer_mut};
 use crate::scene::{Control, unseen};
-use crate::shading::SquareKind;
 
 /// How far a drag across the picture's shorter side turns, in degrees.
 const DRAG_TURN: f64 = 200.0;
-/// The length of an arm of the cross at a pixel, in points.
-pub const CROSS: f32 = 11.5;
 /// How far beside the divider a press still moves it, in points.
 const REACH: f32 = 10.0;
 /// From the upper end of the divider to its handle, in points.
@@ -113,7 +102,7 @@ impl App {
             && show != ViewMode::Terms
             && let ("cuboid", place) = desk.selected.unwrap_or(("cuboid", 0))
         {
-            outline(ui, world, &view, canvas, place);
+            outline(painter, world, &view, canvas, place);
         }
         let is_known = self.study.facts.section.is_current;
         if let Some(probe) = self.probed().filter(|_| is_known)
@@ -156,29 +145,6 @@ impl App {
             bar(ui, "error", Align2::LEFT_BOTTOM, canvas.place, |ui| {
                 ui.label(text);
             });
-        }
-    }
-}
-
-/// Draws the edges of a cuboid, unless a corner is before the near plane.
-fn outline(ui: &Ui, world: &World, view: &View, canvas: &Canvas, place: usize) {
-    let lens = Lens::new(view);
-    let mut cuboids = world.query::<(&FileOrder, &Mesh, &Transform)>();
-    let is_it = |it: &(&FileOrder, &Mesh, &Transform)| it.0.0 as usize == place;
-    let Some((_, mesh, transform)) = cuboids.iter().find(is_it) else {
-        return;
-    };
-    let corners = unseen::corners_of(mesh, transform, view, &lens);
-    if corners.iter().any(|corner| corner.z <= lens.near) {
-        return;
-    }
-    let places = corners.map(|corner| canvas.place_at(lens.pixel(lens.homogeneous(corner))));
-    // Corners whose numbers differ in one bit are joined by an edge.
-    for (one, bit) in (0..8).flat_map(|corner| [1, 2, 4].map(|bit| (corner, bit))) {
-        if one & bit == 0 {
-            let line = [places[one], places[one | bit]];
-            let ink = Color32::from_white_alpha(150);
-            ui.painter().line_segment(line, (1.5, ink));
         }
     }
 }
@@ -229,68 +195,4 @@ fn divider(ui: &Ui, world: &mut World, canvas: &Canvas) -> Option<Pos2> {
     let at = place.center_top() + vec2(0.0, HANDLE);
     ui.painter().circle(at, 8.0, Color32::WHITE, edge);
     clicked(&handle)
-}
-
-/// Draws the line between the sides of a wipe.
-pub fn draw_line(painter: &egui::Painter, x: f32, rows: Rangef) {
-    painter.vline(x, rows, (4.0, Color32::from_black_alpha(110)));
-    painter.vline(x, rows, (2.0, Color32::from_white_alpha(230)));
-}
-
-/// The meaning of the colours of the error map or of squares.
-pub fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, facts: &Facts) {
-    if viewer.show == ViewMode::Error {
-        return error_legend(ui, viewer.tolerance, facts);
-    }
-    let counts = canvas.pictures.frame.counts().squares;
-    let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
-    ui.label("squares, by the colour in them");
-    for ((kind, tint), count) in kinds {
-        let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
-        row.on_hover_text(match kind {
-            SquareKind::Linear => "Squares with a colour linear in x and y.",
-            SquareKind::Quadratic => "Squares with a colour quadratic in x and in y.",
-            SquareKind::Terminator => "As quadratic, where n.l of one light changes sign.",
-            SquareKind::Highlight => "As quadratic, with the power of one highlight at each pixel.",
-            _ => "Squares in which the model is evaluated at each pixel.",
-        });
-    }
-}
-
-/// The scale of the error map, with marks at the tolerance and at the largest error.
-fn error_legend(ui: &mut Ui, tolerance: f64, facts: &Facts) {
-    ui.label("error against exact Phong, levels");
-    let comparison = facts.comparison.current();
-    let largest = comparison.and_then(|it| it.worst).map(|it| it.error);
-    let size = vec2(ui.available_width().min(260.0), 26.0);
-    let (place, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.on_hover_text("Levels of 255. White marks: the tolerance and the largest error.");
-    let painter = ui.painter_at(place);
-    draw_scale(&painter, place, Color32::GRAY);
-    let marks = [Some(tolerance), largest];
-    for mark in marks.into_iter().flatten() {
-        // The scale leaves room for its last label.
-        let share = position(mark) as f32;
-        let x = place.min.x + share * (place.width() - place.height());
-        painter.vline(x, place.min.y..=place.center().y, (1.5, Color32::WHITE));
-    }
-    swatch(ui, EDGE, "another face is seen");
-    swatch(ui, NOTHING, "nothing is drawn");
-}
-
-/// Draws a cross around a pixel, which itself stays visible.
-pub fn draw_cross(painter: &egui::Painter, at: Pos2) {
-    for way in [Vec2::RIGHT, Vec2::LEFT, Vec2::DOWN, Vec2::UP] {
-        let line = [at + way * 3.5, at + way * CROSS];
-        painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
-        painter.line_segment(line, (1.5, Color32::WHITE));
-    }
-}
-
-fn swatch(ui: &mut Ui, pixel: u32, text: &str) -> Response {
-    let row = ui.horizontal(|ui| {
-        show_color(ui, color(pixel), vec2(14.0, 14.0));
-        ui.label(text)
-    });
-    row.inner
 }

@@ -95,7 +95,7 @@ fn a_step_shows_its_controls_and_they_act() {
     harness.run_ok();
     assert_eq!(segments(&harness), 2);
     assert!(shows(&harness, "2 segments"));
-    harness.get_by_label("white").click();
+    harness.get_by_label("white diffuse").click();
     harness.run_ok();
     assert!(!harness.state().document.state.light[0].on);
     press(&mut harness, Key::Enter);

@@ -295,7 +295,7 @@ fn the_rows_of_lights_switch_the_lights_of_a_world() {
         lights.iter().filter(|light| light.on).count()
     };
     assert_eq!(are_on(harness.state()), 4);
-    harness.get_by_label("red").click();
+    harness.get_by_label("red diffuse").click();
     harness.run_ok();
     assert_eq!(are_on(harness.state()), 3);
 }

@@ -415,16 +415,13 @@ fn the_time_is_measured_for_longer_while_it_is_not_sure_and_what_does_not_fit_is
             method: finest,
             reason: "large".to_owned(),
         }];
+        // On a busy machine it may stay unsure.
+        let is_longer = time > BRIEF;
         run(&mut app, |app| {
             let study = &app.study;
             let is_idle = study.work.is_none() && study.facts.proof.is_current;
-            is_idle
-                && study
-                    .facts
-                    .trade
-                    .value
-                    .as_ref()
-                    .is_some_and(|it| it.time >= time)
+            let trade = study.facts.trade.value.as_ref();
+            (is_idle || is_longer) && trade.is_some_and(|it| it.time >= time)
         });
         let trade = app.study.facts.trade.current().expect("an answer");
         assert_eq!(trade.time, time, "{width}");
