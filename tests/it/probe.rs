@@ -7,19 +7,15 @@ use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use shadetrade::components::{LightKind, Mesh, Segments, ShadingMode, Transform, View};
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::questions::probe::{self, Probe, ProbedSurface};
-use shadetrade::reference;
 use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
+use shadetrade::systems::frame::Keep;
 
 use crate::cli::keys;
 use crate::extremes::enlarged;
 use crate::support::records;
-use crate::support::scene::view_from;
+use crate::support::scene::{built_in, built_in_record, changed, draw, truth, view_from};
 
 /// The JSON of the command.
 fn probe(line: &str) -> Value {
@@ -27,6 +23,11 @@ fn probe(line: &str) -> Value {
     let (status, json) = crate::cli::json(&folder, &format!("probe {line} --json"));
     assert_eq!(status, Some(0));
     json
+}
+
+/// What happened at a pixel.
+fn at(scene: &mut Scene, view: &View, pixel: [usize; 2]) -> Probe {
+    probe::at(scene, view, pixel, Level::new()).expect("a row fits")
 }
 
 /// Three numbers.
@@ -99,13 +100,12 @@ fn terms_add_up_to_the_reference_and_the_renderer_keeps_its_tolerance() {
 
 #[test]
 fn factor_times_strength_is_phongs_term_and_the_factor_follows_from_the_cosines() {
-    let mut scene = Scene::load(None).expect("it is built in");
+    let mut scene = built_in();
     // The cuboid is cut off on the left and on the right.
     let view = view_from(&scene, 0, [32, 72]);
     let mut lit = 0;
     for pixel in (0..32 * 72).step_by(3).map(|at| [at % 32, at / 32]) {
-        let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
-        let Some(surface) = probe.surface else {
+        let Some(surface) = at(&mut scene, &view, pixel).surface else {
             continue;
         };
         let sample = surface.sample.expect("no edge");
@@ -134,7 +134,7 @@ fn factor_times_strength_is_phongs_term_and_the_factor_follows_from_the_cosines(
 fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
     let (mut on_diagonals, size) = (0, enlarged([240, 180]));
     for turn in 0..24 {
-        let mut scene = Scene::load(None).expect("it is built in");
+        let mut scene = built_in();
         for (transform, _) in scene.world.query_mut::<(&mut Transform, &Mesh)>() {
             transform.rotation.x = 15.0 * f64::from(turn);
         }
@@ -142,36 +142,26 @@ fn on_diagonals_the_reference_shows_the_same_triangle_and_nothing_is_null() {
             tolerance: 0.5,
             ..view_from(&scene, 0, size).shaded(ShadingMode::Phong)
         };
-        let truth = finished(reference::picture(
-            &scene.world,
-            &view,
-            0..size[1],
-            Monitor::NONE,
-        ))
-        .expect("it is not cancelled");
-        let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
-        systems::draw(&mut scene.world, &view, &mut frame).expect("a small picture fits");
-        let triangles = frame.triangles();
+        let truth = truth(&scene.world, &view);
+        let triangles = draw(&mut scene.world, &view, Keep::Levels);
+        let triangles = triangles.triangles();
         for (pixel, (&own, &other)) in triangles.iter().zip(&truth.triangles).enumerate() {
             let is_same = own == other || own.face_id() != other.face_id();
             assert!(is_same, "at {pixel} of turn {turn}");
             // Every 11th pixel that has the face's other triangle to its right.
-            let next = triangles
-                .get(pixel + 1)
-                .is_some_and(|next| next.face_id() == own.face_id() && *next != own);
-            if own != other || !next || pixel % 11 > 0 {
+            let next = triangles.get(pixel + 1);
+            let is_last = next.is_some_and(|it| it.face_id() == own.face_id() && *it != own);
+            if own != other || !is_last || pixel % 11 > 0 {
                 continue;
             }
             on_diagonals += 1;
             let place = [pixel % size[0], pixel / size[0]];
-            let probe = probe::at(&mut scene, &view, place, Level::new()).expect("a row fits");
-            let surface = probe.surface.expect("a face is seen");
+            let surface = at(&mut scene, &view, place).surface;
+            let surface = surface.expect("a face is seen");
             assert_eq!(surface.triangle, own.triangle());
             let sample = surface.sample.as_ref().expect("the same face");
-            assert_eq!(
-                (sample.triangle, sample.lights.len()),
-                (other.triangle(), 4)
-            );
+            let found = (sample.triangle, sample.lights.len());
+            assert_eq!(found, (other.triangle(), 4));
             let exact = sample.phong.to_array();
             assert_eq!(exact, truth.levels[pixel]);
             assert!(pixel_error(surface.phong.to_array(), exact) <= view.tolerance);
@@ -209,12 +199,10 @@ fn surface_of(
     pixel: [usize; 2],
     change: impl Fn(&mut SceneRecord),
 ) -> ProbedSurface {
-    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
-    change(&mut record);
-    let mut scene = Scene::spawn(String::new(), &record);
+    let mut scene = changed(change);
     let view = view_from(&scene, 0, [960, 720]).shaded(mode);
-    let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
-    probe.surface.expect("a face is seen")
+    let surface = at(&mut scene, &view, pixel).surface;
+    surface.expect("a face is seen")
 }
 
 #[test]
@@ -235,12 +223,10 @@ fn levels_of_blinn_phong_are_those_of_its_picture() {
 
 #[test]
 fn on_a_grid_the_vertices_are_those_of_the_pixel_s_cell() {
-    let mut places = Vec::new();
     let surface = surface_of(ShadingMode::Phong, [480, 300], |record| {
         record.cuboid[0].segments = Segments::new(8).expect("a number");
     });
-    let lights = SceneRecord::of(&Scene::load(None).expect("it is built in").world).light;
-    places.extend(lights.iter().map(|light| light.position));
+    let lights = built_in_record().light;
     let sample = surface.sample.as_ref().expect("no edge");
     let (size, vertices) = (DVec3::new(4.0, 3.0, 2.0), sample.vertices);
     let sum =
@@ -252,23 +238,24 @@ fn on_a_grid_the_vertices_are_those_of_the_pixel_s_cell() {
         assert!([column, row].iter().all(|it| it.fract() == 0.0) && across == 8.0);
         format!("{column},{row}")
     });
-    let text = Probe {
+    let probe = Probe {
         pixel: [480, 300],
         surface: Some(surface.clone()),
-    }
-    .lines();
-    let heading = text
-        .iter()
-        .skip_while(|line| !line.starts_with("Gouraud, exact"))
+    };
+    let page = probe.lines().join("\n");
+    let (_, gouraud) = page.split_once("Gouraud, exact").expect("a heading");
+    let row: Vec<_> = gouraud
+        .lines()
         .nth(2)
-        .expect("a heading");
-    let shown: Vec<_> = heading.split_whitespace().collect();
-    assert_eq!(shown, labels);
-    for (light, place) in sample.lights.iter().zip(places) {
+        .expect("a row")
+        .split_whitespace()
+        .collect();
+    assert_eq!(row, labels);
+    for (light, own) in sample.lights.iter().zip(lights) {
         let term = sum(&|i| light.strength * light.vertex_factors[i]);
         assert!((term - light.gouraud).length() < 1e-9, "{light:?}");
         for (vertex, factor) in vertices.into_iter().zip(light.vertex_factors) {
-            let to_light = (place.unwrap_or_default() - vertex * size).normalize();
+            let to_light = (own.position.unwrap_or_default() - vertex * size).normalize();
             let known = match light.kind {
                 LightKind::Ambient => 1.0,
                 LightKind::Diffuse => vertex.normalize().dot(to_light).max(0.0),
@@ -281,12 +268,12 @@ fn on_a_grid_the_vertices_are_those_of_the_pixel_s_cell() {
 
 #[test]
 fn a_section_is_every_pixel_of_the_row_on_one_face() {
-    let mut scene = Scene::load(None).expect("it is built in");
+    let mut scene = built_in();
     let view = view_from(&scene, 0, [96, 72]).shaded(ShadingMode::Phong);
-    let level = Level::new();
-    let at = |scene: &mut Scene, pixel| probe::at(scene, &view, pixel, level).expect("a row fits");
+    let at = |scene: &mut Scene, pixel| at(scene, &view, pixel);
     for pixel in [[40, 36], [62, 30], [48, 18], [2, 2]] {
-        let section = probe::section(&mut scene, &view, pixel, level).expect("a row fits");
+        let section = probe::section(&mut scene, &view, pixel, Level::new());
+        let section = section.expect("a row fits");
         let first = section[0].pixel[0];
         for (index, probe) in section.iter().enumerate() {
             assert_eq!(*probe, at(&mut scene, [first + index, pixel[1]]));
@@ -306,7 +293,7 @@ fn a_section_is_every_pixel_of_the_row_on_one_face() {
 
 #[test]
 fn a_section_of_a_scene_with_many_lights_has_fewer_pixels() {
-    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
+    let mut record = built_in_record();
     let faint = records::light("faint", LightKind::Ambient, 1e-3, DVec3::ZERO);
     let section = |record: &SceneRecord| {
         let mut scene = Scene::spawn("many".to_owned(), record);

@@ -16,13 +16,20 @@ use fearless_simd::Level;
 use hecs::World;
 use shadetrade::components::View;
 use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Rule, Seen};
 
+use crate::support::scene::done;
+
 /// The proof of the renderer's picture.
 pub fn proof(world: &mut World, view: &View) -> Proof {
-    finished(prove(world, view, None, Level::new(), Monitor::NONE)).expect("a small picture fits")
+    done(prove(world, view, None, Level::new(), Monitor::NONE))
+}
+
+/// The proof of a picture of another program.
+fn judged(world: &mut World, view: &View, picture: &[u32]) -> Proof {
+    let (level, monitor) = (Level::new(), Monitor::NONE);
+    done(prove(world, view, Some(picture), level, monitor))
 }
 
 /// The surfaces that each pixel may show, row by row from the top.

@@ -12,11 +12,10 @@ use shadetrade::components::{
     Background, FileOrder, LightKind, Material, Name, Orbit, Projection, Transform, View, Viewer,
 };
 use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::requires::{Change, Part, changes, parts};
 use shadetrade::scene::{Scene, SceneRecord};
 
-use crate::support::scene::{empty, shine, spawn_cuboid, view};
+use crate::support::scene::{done, empty, shine, spawn_cuboid, view};
 
 /// Reflects diffuse light fully, and half of specular light.
 pub const WHITE: Material = Material {
@@ -67,8 +66,7 @@ fn from_z(distance: f64, projection: Projection) -> View {
 
 /// The change of the picture without a part.
 fn change(scene: &Scene, view: &View, part: Part) -> Change {
-    let changes = finished(changes(scene, view, &[vec![part]], Monitor::NONE));
-    changes.expect("nobody cancels it")[0]
+    done(changes(scene, view, &[vec![part]], Monitor::NONE))[0]
 }
 
 /// The names of all parts that the picture requires.

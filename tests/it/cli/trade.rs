@@ -20,20 +20,21 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
     let out = folder.path().join("my report");
     fs::create_dir(&out).expect("it is made");
     put(&out, "error.png", "mine");
-    let output = crate::cli::in_shell(folder.path(), &script);
+    let output = super::in_shell(folder.path(), &script);
     assert!(output.status.success(), "{}", said(&output));
     let text = String::from_utf8(get(&out, "trade.json")).expect("JSON is UTF-8");
-    contract::read(&text);
-    let report: Value = serde_json::from_str(&text).expect("JSON");
+    let report = contract::read(&text);
     let methods = report["methods"].as_array().expect("there are methods");
     // Eight batches of four, on one thread.
     let found = methods
         .iter()
         .map(|it| json!([it["id"], it["ms"]["samples"], it["threads"]]));
-    let expected = [json!(["gouraud-0", 32, 1]), json!(["phong-1", 32, 1])];
-    assert_eq!(found.collect::<Vec<_>>(), expected);
-    let files = ["error.png", "trade.json", "trade.md", "trade.svg"];
-    assert_eq!(listing(&out), files);
+    assert_eq!(
+        found.collect::<Value>(),
+        json!([["gouraud-0", 32, 1], ["phong-1", 32, 1]])
+    );
+    let files = listing(&out).join(" ");
+    assert_eq!(files, "error.png trade.json trade.md trade.svg");
     assert_eq!(get(&out, "error.png"), b"mine");
     let table = String::from_utf8(output.stdout).expect("a table is UTF-8");
     assert!(table.contains("phong-1 ") && !table.contains("phong-unit-vectors"));
@@ -43,11 +44,10 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
     // A shell takes the command apart as it was given.
     let command = report["command"].as_str().expect("it is text");
     let script = format!("shadetrade() {{ printf '%s\\n' \"$@\"; }}; {command}");
-    let words = crate::cli::in_shell(folder.path(), &script).stdout;
+    let words = super::in_shell(folder.path(), &script).stdout;
     let words = String::from_utf8(words).expect("it is UTF-8");
-    let expected = line
-        .split(' ')
-        .chain(["-o", "my report", "--", "/dev/stdin"]);
+    let given = ["-o", "my report", "--", "/dev/stdin"];
+    let expected = line.split(' ').chain(given);
     assert!(words.lines().eq(expected), "{command}");
 }
 

@@ -1,15 +1,14 @@
 //! What the probe says in words and in rows: the cause of a difference, the cost of a pixel, and the page on which it is worked out.
 
-use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{LightKind, NormalMode, Projection, Segments, ShadingMode, View};
-use shadetrade::questions::probe::{self, Probe};
+use shadetrade::questions::probe::Probe;
 use shadetrade::reference::LightSample;
 use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
 use shadetrade::shading::SquareKind::{InF64, Linear, PerPixel, Quadratic};
 use shadetrade::systems::frame::display_step;
 
-use super::surface_of;
+use super::{at, surface_of};
 
 #[test]
 fn the_cause_is_that_of_the_light_that_differs_most() {
@@ -82,86 +81,72 @@ fn the_cost_is_that_of_the_square() {
     }
 }
 
-/// The numbers after this label, in the first line below `after` that has so many.
-fn numbers(lines: &[String], after: &str, label: &str) -> DVec3 {
-    let mut lines = lines.iter().skip_while(|line| !line.starts_with(after));
-    let numbers = lines.find_map(|line| {
+/// The three numbers after this label, in its first row of a page.
+fn numbers(page: &str, label: &str) -> DVec3 {
+    let numbers = page.lines().find_map(|line| {
         let rest = line.trim_start().strip_prefix(label)?;
         let words = rest.split_whitespace();
         let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
         (rest.starts_with(' ') && numbers.len() == 3).then(|| DVec3::from_slice(&numbers))
     });
-    numbers.unwrap_or_else(|| panic!("no {label:?} after {after:?}"))
+    numbers.unwrap_or_else(|| panic!("no {label:?} in {page}"))
 }
 
-/// Whether a printed level is this one, rounded once: to three decimals, or to six digits below 1.
-fn is_rounded(printed: DVec3, level: DVec3) -> bool {
-    let error = (printed - level).abs() / level.abs().min(DVec3::ONE).max(DVec3::splat(1e-300));
-    let allowed = DVec3::splat(0.000_501);
-    let small = level.abs().cmplt(DVec3::ONE);
-    error
-        .cmple(DVec3::select(small, DVec3::splat(5.01e-6), allowed))
-        .all()
-}
+type Term = fn(&LightSample) -> DVec3;
 
-/// As an exam gives intensities, from 0 to 1, and as levels.
+/// Digits of numbers are tested where they are written. Levels are large, or those of an exam, from 0 to 1.
 #[test]
-fn every_number_of_a_page_is_exact_whatever_its_size() {
-    let mut random = fastrand::Rng::with_seed(5);
-    let (mut pixels, mut lit) = (0, 0);
-    while pixels < 240 {
-        let (name, text) = BUILT_IN[random.usize(..BUILT_IN.len())];
-        let mut record = SceneRecord::of(&Scene::parse(name, text).expect("it is built in").world);
+fn a_page_has_the_terms_the_sum_and_the_bytes_of_each_mode() {
+    let mut lit = 0;
+    let is_near = |printed: DVec3, level: DVec3| {
+        let least = DVec3::splat(1e-6).max(level.abs() * 1e-5);
+        let rounding = DVec3::select(
+            level.abs().cmplt(DVec3::ONE),
+            least,
+            least.max(DVec3::splat(6e-4)),
+        );
+        (printed - level).abs().cmple(rounding).all()
+    };
+    for (index, pixel) in
+        (0..120).map(|index| (index, [100 + 6 * (index % 20), 90 + 10 * (index / 20)]))
+    {
+        let (name, text) = BUILT_IN[index % BUILT_IN.len()];
+        let scene = Scene::parse(name, text).expect("it is built in");
+        let mut record = SceneRecord::of(&scene.world);
         for cuboid in &mut record.cuboid {
-            cuboid.normals = [NormalMode::Corner, NormalMode::Face][random.usize(..2)];
-            cuboid.segments = Segments::new([1, 1, 5][random.usize(..3)]).expect("a number");
+            cuboid.normals = NormalMode::ALL[index / 4 % 2];
+            cuboid.segments = Segments::new([1, 1, 5][index % 3]).expect("a number");
         }
-        let unit = [1.0, 1.0 / 255.0][random.usize(..2)];
         for light in &mut record.light {
-            light.gain *= unit;
+            light.gain *= [1.0, 1.0 / 255.0][index / 8 % 2];
         }
+        record.view.projection = Projection::ALL[index / 2 % 2];
         let mut scene = Scene::spawn(name.to_owned(), &record);
-        let view = View {
-            projection: [Projection::Perspective, Projection::Orthographic][random.usize(..2)],
-            ..View::of(&scene.world, [320, 240])
-        };
-        let pixel = [random.usize(..320), random.usize(..240)];
-        let probe = probe::at(&mut scene, &view, pixel, Level::new()).expect("a row fits");
-        let Some(surface) = &probe.surface else {
+        let view = View::of(&scene.world, [320, 240]);
+        let probe = at(&mut scene, &view, pixel);
+        let sample = probe.surface.as_ref().and_then(|it| it.sample.as_ref());
+        let Some(sample) = sample else {
             continue;
         };
-        let Some(sample) = &surface.sample else {
-            continue;
-        };
-        let lines = probe.lines();
-        let point = numbers(&lines, "P = ", "P");
-        assert!((point - sample.position).length() <= 1e-8 * sample.position.length());
-        for (mode, sum, of) in [
-            (
-                "Phong, exact",
-                sample.phong,
-                (|it| it.phong) as fn(&LightSample) -> DVec3,
-            ),
-            ("Blinn-Phong, exact", sample.blinn_phong, |it| {
+        let page = probe.lines().join("\n");
+        assert!(is_near(numbers(&page, "P"), sample.position));
+        let modes: [(_, _, Term); 3] = [
+            ("\nPhong, exact", sample.phong, |it| it.phong),
+            ("\nBlinn-Phong, exact", sample.blinn_phong, |it| {
                 it.blinn_phong
             }),
-            ("Gouraud, exact", sample.gouraud, |it| it.gouraud),
-        ] {
-            let printed = numbers(&lines, mode, "sum");
-            assert!(is_rounded(printed, sum), "{printed} for {sum}: {lines:#?}");
+            ("\nGouraud, exact", sample.gouraud, |it| it.gouraud),
+        ];
+        for (heading, sum, of) in modes {
+            let (_, part) = page.split_once(heading).expect("a heading");
+            let (_, part) = part.split_once("blue").expect("a row of terms");
+            assert!(is_near(numbers(part, "sum"), sum), "{sum}: {page}");
             let bytes = sum.to_array().map(|level| f64::from(display_step(level)));
-            assert_eq!(numbers(&lines, mode, "bytes"), DVec3::from(bytes));
+            assert_eq!(numbers(part, "bytes"), DVec3::from(bytes));
             for light in &sample.lights {
-                let rows = lines.iter().skip_while(|line| !line.starts_with(mode));
-                let rows: Vec<String> = rows
-                    .skip_while(|line| !line.contains("blue"))
-                    .cloned()
-                    .collect();
-                let printed = numbers(&rows, "", &light.name);
-                assert!(is_rounded(printed, of(light)), "{printed} for {light:?}");
+                assert!(is_near(numbers(part, &light.name), of(light)), "{page}");
             }
         }
-        pixels += 1;
         let mut lights = sample.lights.iter();
         lit += usize::from(lights.any(|it| it.kind == LightKind::Specular && it.factor > 0.01));
     }
@@ -173,22 +158,17 @@ fn every_number_of_a_page_is_exact_whatever_its_size() {
 fn a_page_says_which_levels_are_clamped_and_which_are_drawn() {
     for (strength, is_clamped) in [(0.1, false), (1.0, true)] {
         let surface = surface_of(ShadingMode::Phong, [565, 327], |record| {
-            record
-                .light
-                .iter_mut()
-                .for_each(|light| light.intensity *= strength);
+            let lights = record.light.iter_mut();
+            lights.for_each(|light| light.intensity *= strength);
         });
-        let limit = surface.tolerance;
+        let limit = format!("renderer draws it, within {}", surface.tolerance);
         let probe = Probe {
             pixel: [565, 327],
             surface: Some(surface),
         };
         let page = probe.lines().join("\n");
         assert_eq!(page.contains("clamped"), is_clamped, "{page}");
-        assert!(
-            page.contains(&format!("renderer draws it, within {limit}")),
-            "{page}"
-        );
+        assert!(page.contains(&limit), "{page}");
     }
 }
 
@@ -206,17 +186,11 @@ fn a_page_says_what_the_reference_does_not_see() {
         surface: Some(surface),
     };
     let lines = probe.lines();
-    assert_eq!(
-        lines[0],
-        format!("pixel 31,7: emerald, triangle {triangle}")
-    );
+    let title = format!("pixel 31,7: emerald, triangle {triangle}");
+    assert_eq!(lines[0], title);
     assert!(lines.iter().any(|line| line.contains("another face")));
-    let bytes = drawn
-        .to_array()
-        .map(|level| display_step(level).to_string());
-    let shown = lines.iter().find(|line| line.starts_with("bytes"));
-    let shown: Vec<_> = shown.expect("a row").split_whitespace().skip(1).collect();
-    assert_eq!(shown, bytes);
+    let bytes = drawn.to_array().map(|level| f64::from(display_step(level)));
+    assert_eq!(numbers(&lines.join("\n"), "bytes"), DVec3::from(bytes));
     probe.surface = None;
     assert_eq!(probe.lines(), ["pixel 31,7: background"]);
 }

@@ -80,16 +80,11 @@ fn a_corner_of_a_cuboid_of_2e14_units_has_a_narrow_enclosure() {
 
 /// Whether the result of an operation holds the value and is at most a few units in the last place wide.
 fn assert_sharp(name: &str, at: f64, enclosure: Interval, value: &Big) {
-    assert!(
-        holds(enclosure, value),
-        "{name} at {at:e}: {enclosure:?}, not {value:?}"
-    );
+    let what = format!("{name} at {at:e}: {enclosure:?}");
+    assert!(holds(enclosure, value), "{what}, not {value:?}");
     let [least, largest] = enclosure.endpoints();
     let size = least.abs().max(largest.abs());
-    assert!(
-        largest - least <= 1e-14 * size,
-        "{name} at {at:e}: {enclosure:?} is wide"
-    );
+    assert!(largest - least <= 1e-14 * size, "{what} is wide");
 }
 
 #[test]

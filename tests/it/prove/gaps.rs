@@ -1,22 +1,21 @@
 //! Gaps: what a pixel would show only where faces that touch left room is neither proven nor refuted.
 
-use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Projection, ShadingMode, Transform, TriangleId, View};
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::questions::prove::Verdict::{Gap, Refuted};
-use shadetrade::questions::prove::{Proof, Shown, judge, prove, shown};
+use shadetrade::questions::prove::{Proof, Shown, judge, shown};
 use shadetrade::reference::{Interval, Real, Reference, Seen};
 use shadetrade::scene::Scene;
 use shadetrade::systems::frame::{Keep, display_step};
 
-use super::{enclosures, proof};
+use super::{enclosures, judged, proof};
 use crate::support::cases::cases;
 use crate::support::random::Random;
-use crate::support::scene::{at, draw, empty, placed, shine, spawn_cuboid, truth, view, white};
+use crate::support::scene::{
+    at, built_in, draw, empty, placed, shine, spawn_cuboid, truth, view, white,
+};
 
 /// No face and no mixture of faces looks like it.
 const BACKGROUND: DVec3 = DVec3::new(255.0, 0.0, 255.0);
@@ -37,12 +36,8 @@ fn lit() -> World {
 
 /// Looks straight down at the plane z = 1/2 of a wall, rolled by this angle; a unit is `height` / `size[1]` pixels.
 fn rolled(size: [usize; 2], centre: DVec3, degrees: f64, height: f64) -> View {
-    let mut view = view(
-        size,
-        centre + 10.0 * DVec3::Z,
-        centre,
-        Projection::Orthographic,
-    );
+    let eye = centre + 10.0 * DVec3::Z;
+    let mut view = view(size, eye, centre, Projection::Orthographic);
     let (sin, cos) = degrees.to_radians().sin_cos();
     view.camera.up = DVec3::new(sin, cos, 0.0);
     view.camera.height = height;
@@ -65,12 +60,6 @@ fn color(levels: [f64; 3]) -> u32 {
     u32::from_be_bytes([0, red, green, blue])
 }
 
-/// The proof of a picture of another program.
-fn judged(world: &mut World, view: &View, picture: &[u32]) -> Proof {
-    let (level, monitor) = (Level::new(), Monitor::NONE);
-    finished(prove(world, view, Some(picture), level, monitor)).expect("a small picture fits")
-}
-
 #[track_caller]
 fn assert_counts(proof: &Proof, gaps: u64, what: &str) {
     let found = [proof.gaps, proof.refuted, proof.undecided];
@@ -80,10 +69,8 @@ fn assert_counts(proof: &Proof, gaps: u64, what: &str) {
 /// The scene of docs/limits.md.
 #[test]
 fn a_hole_where_a_corner_meets_an_edge_is_a_gap() {
-    let text = include_str!("../../../docs/limits.md");
-    let text = text
-        .split("```")
-        .find_map(|block| block.strip_prefix("toml"));
+    let mut blocks = include_str!("../../../docs/limits.md").split("```");
+    let text = blocks.find_map(|block| block.strip_prefix("toml"));
     let mut scene = Scene::parse("limits", text.expect("a scene")).expect("it is right");
     let view = View::of(&scene.world, [320, 240]);
     let proof = proof(&mut scene.world, &view);
@@ -133,24 +120,26 @@ fn is_inner(triangles: &[TriangleId], width: usize, pixel: usize) -> bool {
 /// The pixels near edges that show cuboids all around.
 fn inner_edges(world: &mut World, view: &View, proof: &Proof) -> Vec<usize> {
     let triangles = truth(world, view).triangles;
-    let pixels = (0..triangles.len()).filter(|pixel| proof.marks[*pixel].is_outline);
+    let mut pixels = outline(proof);
+    pixels.retain(|pixel| is_inner(&triangles, view.size[0], *pixel));
     pixels
-        .filter(|pixel| is_inner(&triangles, view.size[0], *pixel))
-        .collect()
+}
+
+/// The pixels near edges.
+fn outline(proof: &Proof) -> Vec<usize> {
+    let pixels = 0..proof.marks.len();
+    pixels.filter(|it| proof.marks[*it].is_outline).collect()
 }
 
 #[test]
 fn holes_along_the_inner_edges_of_one_cuboid_are_gaps() {
     let mut found = 0;
-    let mut scene = Scene::load(None).expect("the built-in scene");
+    let mut scene = built_in();
     for projection in Projection::ALL {
         let view = View {
             projection,
-            ..View::of(&scene.world, [401, 301])
-        };
-        let view = View {
             background: BACKGROUND,
-            ..view.shaded(ShadingMode::Phong)
+            ..View::of(&scene.world, [401, 301]).shaded(ShadingMode::Phong)
         };
         let own = proof(&mut scene.world, &view);
         let holes = inner_edges(&mut scene.world, &view, &own);
@@ -218,17 +207,11 @@ fn joints_of_random_boxes_are_closed() {
                 holes += 1;
             }
         }
-        assert_counts(
-            &judged(&mut world, &view, &picture),
-            holes,
-            &format!("case {case} with holes"),
-        );
+        let judged = judged(&mut world, &view, &picture);
+        assert_counts(&judged, holes, &format!("case {case} with holes"));
         painted += holes;
     }
-    assert!(
-        painted > 50 && outline > 100,
-        "{painted} holes, {outline} outlines"
-    );
+    assert!(painted > 50 && outline > 100, "{painted}, {outline}");
     // `docs/limits.md` has their number in a hundred pictures, and the cause: snapped edges.
     assert!(gaps <= cases(25) as u64 / 10, "{gaps} gaps");
 }
@@ -243,9 +226,7 @@ fn beside(room: f64, farther: f64) -> (Proof, u64) {
     spawn(&mut world, [40.0, 10.0, 1.0], at(place), DVec3::Y);
     let view = rolled([width, height], DVec3::new(0.0131, 0.0073, 0.0), 2.9, 0.8);
     let own = proof(&mut world, &view);
-    let holes: Vec<usize> = (0..width * height)
-        .filter(|it| own.marks[*it].is_outline)
-        .collect();
+    let holes = outline(&own);
     (holed(&mut world, &view, &holes), holes.len() as u64)
 }
 
@@ -263,11 +244,8 @@ fn a_slit_that_a_picture_can_show_is_no_joint() {
         let (proof, holes) = beside(room, farther);
         assert!(holes >= 4, "{holes} pixels are near the edges");
         let gaps = if is_closed { holes } else { 0 };
-        assert_counts(
-            &proof,
-            gaps,
-            &format!("{room} pixels apart, {farther} units behind"),
-        );
+        let what = format!("{room} pixels apart, {farther} units behind");
+        assert_counts(&proof, gaps, &what);
     }
 }
 
@@ -278,10 +256,7 @@ fn along_an_outline_the_box_behind_may_be_seen() {
     spawn(&mut world, [4.0, 3.0, 1.0], at(DVec3::Z * 3.0), DVec3::X);
     spawn(&mut world, [20.0, 20.0, 1.0], at(DVec3::ZERO), DVec3::Y);
     let view = rolled([321, 241], DVec3::new(0.0131, 0.0073, 0.0), 18.0, 5.0);
-    let own = proof(&mut world, &view);
-    let outline: Vec<usize> = (0..321 * 241)
-        .filter(|it| own.marks[*it].is_outline)
-        .collect();
+    let outline = outline(&proof(&mut world, &view));
     assert!(outline.len() > 5, "{}", outline.len());
     let mut picture = draw(&mut world, &view, Keep::Display).pixels().to_vec();
     for color in [0x64_0000, 0x00_6400] {
@@ -291,11 +266,8 @@ fn along_an_outline_the_box_behind_may_be_seen() {
         assert_counts(&judged(&mut world, &view, &picture), 0, "either box");
     }
     let proof = holed(&mut world, &view, &outline);
-    assert_eq!(
-        proof.proven,
-        (321 * 241 - outline.len()) as u64,
-        "the background"
-    );
+    let inside = (321 * 241 - outline.len()) as u64;
+    assert_eq!(proof.proven, inside, "the background");
 }
 
 /// 14 courses of ten bricks in running bond. Each corner of a brick lies on the middle of another's edge.
@@ -304,12 +276,8 @@ fn brick_wall() -> World {
     for (course, brick) in (0..14).flat_map(|course| (0..10).map(move |brick| (course, brick))) {
         let x = f64::from(2 * brick + course % 2 - 10);
         let color = DVec3::new(0.5, 0.2, 0.1) * f64::from(1 + (course + brick) % 5);
-        spawn(
-            &mut world,
-            [2.0, 1.0, 1.0],
-            at(DVec3::new(x, f64::from(course - 7), 0.0)),
-            color,
-        );
+        let place = at(DVec3::new(x, f64::from(course - 7), 0.0));
+        spawn(&mut world, [2.0, 1.0, 1.0], place, color);
     }
     world
 }

@@ -193,47 +193,26 @@ fn a_light_within_rounding_of_a_point_leaves_it_undecided() {
     let cube = DVec3::splat(2.0);
     let plate = DVec3::new(2e4, 2e6, 2e6);
     let far = DVec3::new(1.3, 866_025.403_784_438_6, 5e5);
-    for (size, place, kind, light, eye, target, mode, undecided) in [
-        (
-            cube,
-            turned(DVec3::Z * 45.0),
-            Diffuse,
-            DVec3::new(SQRT_2, 0.0, 1.0),
-            DVec3::new(7.0, 5.0, 8.0),
-            DVec3::ZERO,
-            Gouraud,
-            50..200,
-        ),
-        (
-            cube,
-            at(DVec3::Y),
-            Specular,
-            DVec3::new(1e-17, -1e-17, 0.0),
-            DVec3::new(-6.0, -2.0, -9.9),
-            DVec3::ZERO,
-            Phong,
-            1..2,
-        ),
-        (
-            plate,
-            turned(DVec3::X * 30.0),
-            Diffuse,
-            far + DVec3::Z * 3e-5,
-            DVec3::new(1e9, 1e10, 1.2e10),
-            far,
-            Phong,
-            300..400,
-        ),
-    ] {
+    let lit = |size, place, kind, light| {
         let mut world = empty();
         spawn_cuboid(&mut world, size, place, WHITE);
         shine(&mut world, kind, 100.0, light);
-        let view = view([33, 33], eye, target, Projection::Orthographic);
+        world
+    };
+    let vertex = DVec3::new(SQRT_2, 0.0, 1.0);
+    let at_a_vertex = lit(cube, turned(DVec3::Z * 45.0), Diffuse, vertex);
+    let middle = DVec3::new(1e-17, -1e-17, 0.0);
+    let in_the_middle = lit(cube, at(DVec3::Y), Specular, middle);
+    let place = turned(DVec3::X * 30.0);
+    let far_away = lit(plate, place, Diffuse, far + DVec3::Z * 3e-5);
+    for (mut world, eye, target, mode, undecided) in [
+        (at_a_vertex, [7.0, 5.0, 8.0], DVec3::ZERO, Gouraud, 50..200),
+        (in_the_middle, [-6.0, -2.0, -9.9], DVec3::ZERO, Phong, 1..2),
+        (far_away, [1e9, 1e10, 1.2e10], far, Phong, 300..400),
+    ] {
+        let view = view([33, 33], eye.into(), target, Projection::Orthographic);
         let proof = proof(&mut world, &view.shaded(mode).with_tolerance(1e-4));
-        let what = format!("{} undecided: {:?}", proof.undecided, proof.examples);
-        assert!(
-            proof.refuted == 0 && undecided.contains(&proof.undecided),
-            "{what}"
-        );
+        let is_right = proof.refuted == 0 && undecided.contains(&proof.undecided);
+        assert!(is_right, "{}: {:?}", proof.undecided, proof.examples);
     }
 }

@@ -83,6 +83,15 @@ fn unit(v: &Vector) -> Vector {
     v.clone().map(|x| x / length.clone())
 }
 
+type Cuboid<'a> = (
+    &'a Transform,
+    &'a Mesh,
+    &'a Material,
+    &'a NormalMode,
+    &'a ShadingMode,
+    &'a Segments,
+);
+
 /// A scene and a view of it.
 pub struct Scene<'a> {
     view: &'a View,
@@ -104,14 +113,7 @@ struct Corner {
 
 impl<'a> Scene<'a> {
     pub fn new(world: &World, view: &'a View) -> Self {
-        let mut cuboids = world.query::<(
-            &Transform,
-            &Mesh,
-            &Material,
-            &NormalMode,
-            &ShadingMode,
-            &Segments,
-        )>();
+        let mut cuboids = world.query::<Cuboid>();
         let mut lights = world.query::<(&Transform, &Light)>();
         let camera = &view.camera;
         let forward = unit(&minus(&exact(camera.target), &exact(view.camera.position)));
@@ -250,10 +252,8 @@ impl<'a> Scene<'a> {
             };
             let sent = times(&exact(light.color), &big(light.intensity));
             let sent = times(&sent, &big(light.gain));
-            levels = plus(
-                &levels,
-                &times(&zip(&sent, &exact(coefficient), Big::mul), &share),
-            );
+            let reflected = zip(&sent, &exact(coefficient), Big::mul);
+            levels = plus(&levels, &times(&reflected, &share));
         }
         levels
     }
@@ -289,24 +289,17 @@ fn weighted_vertices(
             normal: of(|corner| &corner.normal),
         }
     };
-    let one = big(1.0);
-    if s >= t {
-        let weights = [one - s.clone(), s - t.clone(), t];
-        zip_weights(
-            [vertex(0.0, 0.0), vertex(1.0, 0.0), vertex(1.0, 1.0)],
-            weights,
-        )
+    // The triangle beside the diagonal on which the place lies, and the larger and the smaller coordinate.
+    let (beside, more, less) = if s >= t {
+        (vertex(1.0, 0.0), s, t)
     } else {
-        let weights = [one - t.clone(), t - s.clone(), s];
-        zip_weights(
-            [vertex(0.0, 0.0), vertex(0.0, 1.0), vertex(1.0, 1.0)],
-            weights,
-        )
-    }
-}
-
-fn zip_weights([a, b, c]: [Corner; 3], [x, y, z]: [Big; 3]) -> [(Corner, Big); 3] {
-    [(a, x), (b, y), (c, z)]
+        (vertex(0.0, 1.0), t, s)
+    };
+    [
+        (vertex(0.0, 0.0), big(1.0) - more.clone()),
+        (beside, more - less.clone()),
+        (vertex(1.0, 1.0), less),
+    ]
 }
 
 impl Corner {

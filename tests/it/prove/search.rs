@@ -62,11 +62,7 @@ fn build(numbers: &Numbers, (tolerance, mode): Asked) -> (World, View) {
         let levels = DVec3::splat(scaled(n(from + 3), [0.1, 400.0]));
         spawn_light(&mut world, kind, levels, place(from, [0.6, 30.0]));
     }
-    let projection = if n(15) < 0.5 {
-        Projection::Perspective
-    } else {
-        Projection::Orthographic
-    };
+    let projection = Projection::ALL[usize::from(n(15) >= 0.5)];
     let mut view = scene::view(SIZE, place(16, [1.2, 10.0]), DVec3::ZERO, projection);
     view.camera.up = DVec3::new(0.1, 1.0, 0.2);
     view.camera.fov = scaled(n(19), [2.0, 100.0]);
@@ -102,12 +98,8 @@ fn stepped(numbers: Numbers, random: &mut Random) -> Numbers {
     let reach = random.between(1e-4, 0.5);
     let chance = random.within(0.05, 0.5);
     numbers.map(|number| {
-        let moved = random.within(0.0, 1.0) < chance;
-        let by = if moved {
-            random.within(-reach, reach)
-        } else {
-            0.0
-        };
+        let is_moved = random.within(0.0, 1.0) < chance;
+        let by = random.within(-reach, reach) * f64::from(u8::from(is_moved));
         (number + by).clamp(0.0, 1.0)
     })
 }

@@ -39,9 +39,8 @@ fn enclosures_on_grids_hold_the_value_and_are_narrow() {
 
 #[test]
 fn f64_lies_in_the_enclosures_and_every_grid_covers_the_same_pixels() {
-    for (case, segments) in
-        values(&case(ShadingMode::Gouraud), cases(12)).zip(COUNTS.iter().cycle())
-    {
+    let scenes = case(ShadingMode::Gouraud);
+    for (case, segments) in values(&scenes, cases(12)).zip(COUNTS.iter().cycle()) {
         let (world, view) = case.build(SIZE, 0.0);
         let [one, many] = [1, *segments].map(|segments| on_grid(view, segments));
         let faces = |seen: &Vec<Seen<_>>| seen.iter().map(Seen::face).collect::<Vec<_>>();
@@ -54,10 +53,8 @@ fn f64_lies_in_the_enclosures_and_every_grid_covers_the_same_pixels() {
                 let float = floats.at(at)[0];
                 let error = nearest(float.face(), float.levels, fine);
                 let what = format!("{segments} at {at:?}, {rule:?}: {case:?}");
-                assert!(
-                    error.is_some_and(|[least, most]| least < 1e-9 && most < 0.01),
-                    "{error:?}, {what}"
-                );
+                let is_near = error.is_some_and(|[least, most]| least < 1e-9 && most < 0.01);
+                assert!(is_near, "{error:?}, {what}");
                 let mut both = [faces(coarse), faces(fine)];
                 both.iter_mut().for_each(Vec::dedup);
                 assert_eq!(both[0], both[1], "{what}");

@@ -249,10 +249,8 @@ fn with_face_normals_a_face_towards_the_light_is_brighter_by_sqrt_3_than_under_c
     assert_error(change_of(Gouraud), brighter);
     // Phong's normal is the face's in the middle of the face, and the corners' near them.
     let [least, most] = change_of(Phong).largest_error;
-    assert!(
-        0.8 * brighter < least && most <= brighter + 1e-9,
-        "{least} to {most}"
-    );
+    let is_known = 0.8 * brighter < least && most <= brighter + 1e-9;
+    assert!(is_known, "{least} to {most}");
     // A cuboid that has face normals does not need others.
     let mut sharp = cubes(&[origin()], &[], &view);
     overwrite(&mut sharp.world, &NormalMode::Face);

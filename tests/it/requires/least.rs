@@ -3,12 +3,11 @@
 use glam::DVec3;
 use shadetrade::components::{LightKind, Projection};
 use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::requires::{Part, changes, least, without};
 use shadetrade::scene::{LightRecord, SceneRecord};
 
 use super::{cubes, from_z};
-use crate::support::scene::at;
+use crate::support::scene::{at, done};
 
 #[test]
 fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {
@@ -32,8 +31,7 @@ fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {
         let shining: Vec<_> = levels.iter().map(light).collect();
         let places = [DVec3::ZERO, DVec3::Z * -4.0].map(at);
         let scene = cubes(&places, &shining, &view);
-        let found = finished(least(&scene, &view, candidates, Monitor::NONE));
-        let (left_out, change) = found.expect("nobody cancels it");
+        let (left_out, change) = done(least(&scene, &view, candidates, Monitor::NONE));
         assert_eq!(left_out, expected, "{levels:?}");
         assert!(change.keeps(0.5), "{change:?}");
         // The remaining parts are those of the full scene minus those left out.
@@ -43,8 +41,8 @@ fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {
             |(index, it): (usize, &LightRecord)| it.on != left_out.contains(&Light(index));
         assert!(lights.iter().enumerate().all(is_left), "{lights:?}");
         for (scene, left_out, tolerance) in [(&scene, left_out, 0.5), (&remains, vec![], 0.0)] {
-            let found = finished(changes(scene, &view, &[left_out], Monitor::NONE));
-            assert!(found.expect("nobody cancels it")[0].keeps(tolerance));
+            let found = done(changes(scene, &view, &[left_out], Monitor::NONE));
+            assert!(found[0].keeps(tolerance));
         }
     }
 }

@@ -12,6 +12,7 @@ use shadetrade::reference::{Interval, Real, Reference, Rule, Seen};
 use super::{change, scene_of};
 use crate::support::cases::{cases, values};
 use crate::support::random_scene::{between, case};
+use crate::support::scene::limit;
 
 const SIZE: [usize; 2] = [32, 24];
 
@@ -52,7 +53,7 @@ fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
     for (number, (case, tolerance)) in values(&asked, cases(5)).enumerate() {
         let (world, view) = case.build(SIZE, tolerance);
         let scene = scene_of(world, &view);
-        let limit = if tolerance > 0.0 { tolerance } else { 0.05 };
+        let limit = limit(tolerance);
         let full = levels::<f64>(&scene.world, &view, None);
         let is_certain_in_full = is_certain(&scene.world, &view, None);
         for (part, name) in parts(&scene) {

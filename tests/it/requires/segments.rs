@@ -5,23 +5,20 @@ use std::sync::Mutex;
 use glam::DVec3;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::{
-    Mesh, NormalMode, Projection, Segments, ShadingMode, Transform, View, overwrite,
+    Mesh, NormalMode, Projection, Segments, ShadingMode, View, overwrite,
 };
-use shadetrade::output::CANCELLED;
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
+use shadetrade::output::{CANCELLED, Monitor, finished};
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::questions::requires::Part;
 use shadetrade::questions::requires::segments::{FewestSegments, fewest_segments};
-use shadetrade::reference::Reference;
 use shadetrade::scene::Scene;
 
 use super::{change, cubes, from_z};
 use crate::extremes::enlarged;
-use crate::support::scene::{at, view_from};
+use crate::support::scene::{at, built_in, changed, done, limit, placed, truth, view_from};
 
 fn of(scene: &Scene, view: &View) -> Vec<FewestSegments> {
-    finished(fewest_segments(scene, view, Monitor::NONE)).expect("nobody cancels it")
+    done(fewest_segments(scene, view, Monitor::NONE))
 }
 
 /// The largest error of each number of segments in f64, if only this cuboid has Gouraud shading.
@@ -29,33 +26,32 @@ fn errors(scene: &Scene, view: &View, cuboid: usize) -> Vec<f64> {
     let mut scene = scene.snapshot();
     let modes = scene.world.query_mut::<(&Mesh, &mut ShadingMode)>();
     for (number, (_, mode)) in modes.into_iter().enumerate() {
-        *mode = if number == cuboid {
+        let is_own = number == cuboid;
+        *mode = if is_own {
             ShadingMode::Gouraud
         } else {
             ShadingMode::Phong
         };
     }
-    let pixels = |view: &View| {
-        let mut levels = Vec::new();
-        let reference = Reference::<f64>::new(&scene.world, view);
-        for y in 0..view.size[1] {
-            reference.row(y, |_, seen| levels.push(seen[0].levels));
-        }
-        levels
-    };
+    let pixels = |view: &View| truth(&scene.world, view).levels;
     let exact = pixels(&view.shaded(ShadingMode::Phong));
     let error = |segments: u32| {
-        let drawn = pixels(&View {
-            segments: Segments::new(segments),
-            ..*view
-        });
-        let errors = drawn
-            .iter()
-            .zip(&exact)
-            .map(|(one, other)| pixel_error(*one, *other));
+        let segments = Segments::new(segments);
+        let drawn = pixels(&View { segments, ..*view });
+        let pairs = drawn.iter().zip(&exact);
+        let errors = pairs.map(|(one, other)| pixel_error(*one, *other));
         errors.fold(0.0, f64::max)
     };
     (1..=256).map(error).collect()
+}
+
+/// Asserts the number of segments, and that the largest error encloses the known one, narrowly.
+#[track_caller]
+fn assert_found(found: &FewestSegments, segments: Option<u32>, known: f64, what: &str) {
+    assert_eq!((found.segments, found.undecided), (segments, 0), "{what}");
+    let [least, most] = found.largest_error;
+    let is_known = least <= known + 1e-9 && known <= most + 1e-9 && most - least < 1e-6;
+    assert!(is_known, "{what}, {known}: {found:?}");
 }
 
 /// A pixel in the middle of a face, which the light above it lights fully. A vertex lies there if the number is even. The
@@ -66,27 +62,15 @@ fn an_even_number_has_a_vertex_in_the_middle_of_a_face() {
     let mut view = from_z(8.0, Projection::Perspective);
     view.size = [1, 1];
     for (mode, height) in [(NormalMode::Face, 2.0), (NormalMode::Corner, 1e13)] {
-        let mut scene = cubes(
-            &[at(DVec3::ZERO)],
-            &[(Diffuse, 200.0, DVec3::Z * height)],
-            &view,
-        );
+        let light = (Diffuse, 200.0, DVec3::Z * height);
+        let mut scene = cubes(&[at(DVec3::ZERO)], &[light], &view);
         overwrite(&mut scene.world, &mode);
         let off = 200.0 * (1.0 - 1.0 / 3.0_f64.sqrt());
         for (tolerance, segments, known) in [(0.5, 2, 0.0), (84.6, 1, off), (84.5, 2, 0.0)] {
             let [found] = &of(&scene, &view.with_tolerance(tolerance))[..] else {
                 panic!("one cuboid")
             };
-            assert_eq!(
-                (found.segments, found.undecided),
-                (Some(segments), 0),
-                "{mode:?}"
-            );
-            let [least, most] = found.largest_error;
-            assert!(
-                least <= known + 1e-9 && known <= most + 1e-9 && most - least < 1e-6,
-                "{found:?}"
-            );
+            assert_found(found, Some(segments), known, &format!("{mode:?}"));
         }
     }
 }
@@ -95,13 +79,8 @@ fn an_even_number_has_a_vertex_in_the_middle_of_a_face() {
 fn the_answer_is_that_of_a_search_of_all_numbers() {
     let mut view = from_z(9.0, Projection::Perspective);
     view.size = [33, 25];
-    let places = [
-        at(DVec3::X * -1.5),
-        Transform {
-            rotation: DVec3::new(30.0, 50.0, 0.0),
-            ..at(DVec3::X * 1.5)
-        },
-    ];
+    let turned = placed(DVec3::X * 1.5, [30.0, 50.0, 0.0]);
+    let places = [at(DVec3::X * -1.5), turned];
     let lights = [
         (Ambient, 20.0, DVec3::ZERO),
         (Diffuse, 150.0, DVec3::new(1.0, 2.0, 4.0)),
@@ -111,25 +90,16 @@ fn the_answer_is_that_of_a_search_of_all_numbers() {
     for normals in NormalMode::ALL {
         let mut scene = cubes(&places, &lights, &view);
         overwrite(&mut scene.world, &normals);
+        let errors = [0, 1].map(|cuboid| errors(&scene, &view, cuboid));
         for tolerance in [0.0, 0.02, 0.5, 4.0] {
             let view = view.with_tolerance(tolerance);
-            let limit = if tolerance > 0.0 { tolerance } else { 0.05 };
+            let limit = limit(tolerance);
             let found = of(&scene, &view);
-            for (cuboid, found) in found.iter().enumerate() {
-                let errors = errors(&scene, &view, cuboid);
+            for (found, errors) in found.iter().zip(&errors) {
                 let fewest = errors.iter().position(|error| *error <= limit);
-                let what = format!("{normals:?}, {tolerance}: {found:?}");
-                assert_eq!(
-                    (found.segments, found.undecided),
-                    (fewest.map(|it| it as u32 + 1), 0),
-                    "{what}"
-                );
                 let error = errors[fewest.unwrap_or(255)];
-                let [least, most] = found.largest_error;
-                assert!(
-                    least <= error + 1e-9 && error <= most + 1e-9 && most - least < 1e-6,
-                    "{what}, {error}"
-                );
+                let fewest = fewest.map(|it| it as u32 + 1);
+                assert_found(found, fewest, error, &format!("{normals:?}, {tolerance}"));
                 answers.push(found.segments);
             }
             // The shading and the segments of the scene do not matter.
@@ -139,7 +109,6 @@ fn the_answer_is_that_of_a_search_of_all_numbers() {
             assert_eq!(of(&other, &view), found);
         }
     }
-    println!("{answers:?}");
     answers.sort();
     answers.dedup();
     assert!(answers.len() > 6 && answers[0].is_none(), "{answers:?}");
@@ -149,20 +118,14 @@ fn the_answer_is_that_of_a_search_of_all_numbers() {
 /// square of a cell's size.
 #[test]
 fn the_error_of_the_default_scene_falls_by_four_a_doubling_once_cells_resolve_the_highlight() {
-    let view = View::of(
-        &Scene::load(None).expect("it is built in").world,
-        enlarged([240, 180]),
-    );
+    let view = View::of(&built_in().world, enlarged([240, 180]));
     let error = |normals: NormalMode, segments: u32| {
-        let mut scene = Scene::load(None).expect("it is built in");
-        overwrite(&mut scene.world, &ShadingMode::Phong);
-        overwrite(&mut scene.world, &normals);
-        overwrite(
-            &mut scene.world,
-            &Segments::new(segments).expect("a number"),
-        );
+        let scene = changed(|record| {
+            let cuboid = &mut record.cuboid[0];
+            (cuboid.shading, cuboid.normals) = (ShadingMode::Phong, normals);
+            cuboid.segments = Segments::new(segments).expect("a number");
+        });
         let [least, most] = change(&scene, &view, Part::EveryPixel(0)).largest_error;
-        println!("{normals:?}, {segments}: {least} to {most}");
         assert!(most - least < 1e-5, "{segments}: {least} to {most}");
         most
     };
@@ -187,11 +150,8 @@ fn numbers_that_intervals_do_not_decide_are_counted() {
     view.size = [5, 3];
     view.camera.position = DVec3::new(1.0, 0.7, 1.3) * 1e22;
     view.camera.fov = 1e-20;
-    let scene = cubes(
-        &[at(DVec3::ZERO)],
-        &[(Diffuse, 100.0, DVec3::Z * 8.0)],
-        &view,
-    );
+    let light = (Diffuse, 100.0, DVec3::Z * 8.0);
+    let scene = cubes(&[at(DVec3::ZERO)], &[light], &view);
     let [found] = &of(&scene, &view)[..] else {
         panic!("one cuboid")
     };
@@ -201,7 +161,7 @@ fn numbers_that_intervals_do_not_decide_are_counted() {
 
 #[test]
 fn progress_is_a_share_and_a_search_can_be_cancelled() {
-    let scene = Scene::load(None).expect("it is built in");
+    let scene = built_in();
     let view = view_from(&scene, 0, [24, 18]).with_tolerance(8.0);
     let shares = Mutex::new(Vec::new());
     let progress = |_, share| shares.lock().unwrap().push(share);

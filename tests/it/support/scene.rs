@@ -1,5 +1,7 @@
 //! Worlds built by hand with the components of a scene file, and pictures of them.
 
+use std::future::Future;
+
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::{Entity, World};
@@ -7,12 +9,34 @@ use shadetrade::components::{
     Camera, FileOrder, Light, LightKind, Material, Mesh, Name, NormalMode, Normals, Projected,
     Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, ordered,
 };
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
+use shadetrade::output::{Monitor, finished};
 use shadetrade::reference::{Truth, picture};
-use shadetrade::scene::Scene;
+use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::shading::LIMIT_0;
 use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
+
+/// The built-in scene.
+pub fn built_in() -> Scene {
+    Scene::load(None).expect("it is built in")
+}
+
+/// The built-in scene after a change.
+pub fn changed(change: impl FnOnce(&mut SceneRecord)) -> Scene {
+    let mut record = built_in_record();
+    change(&mut record);
+    Scene::spawn("changed".to_owned(), &record)
+}
+
+pub fn built_in_record() -> SceneRecord {
+    SceneRecord::of(&built_in().world)
+}
+
+/// The result of work on a small picture, which nobody cancels.
+#[track_caller]
+pub fn done<T>(work: impl Future<Output = anyhow::Result<T>>) -> T {
+    finished(work).expect("it fits, and nobody cancels it")
+}
 
 /// An empty world.
 pub fn empty() -> World {
@@ -119,15 +143,19 @@ pub fn view_from(scene: &Scene, camera: usize, size: [usize; 2]) -> View {
 
 /// A picture drawn by the calling thread at the best SIMD level.
 pub fn draw(world: &mut World, view: &View, keep: Keep) -> Frame {
-    let workers = Workers::new(1, Level::new()).expect("one thread is always there");
-    let mut frame = Frame::new(keep, workers);
+    let mut frame = Frame::new(keep, Workers::alone(Level::new()));
     systems::draw(world, view, &mut frame).expect("a small picture fits");
     frame
 }
 
+/// The largest error that a tolerance allows.
+pub fn limit(tolerance: f64) -> f64 {
+    if tolerance > 0.0 { tolerance } else { LIMIT_0 }
+}
+
 /// The picture of the reference in f64.
 pub fn truth(world: &World, view: &View) -> Truth {
-    finished(picture(world, view, 0..view.size[1], Monitor::NONE)).expect("it is not cancelled")
+    done(picture(world, view, 0..view.size[1], Monitor::NONE))
 }
 
 /// The text of the built-in scene, without its view.

@@ -6,10 +6,10 @@ use shadetrade::output::Monitor;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::trade::Request;
 use shadetrade::questions::trade::budget::{after, best_trades, choose, fitting, held};
-use shadetrade::scene::Scene;
 use shadetrade::shading::Method;
 
 use super::example::live;
+use crate::support::scene::built_in;
 
 /// Milliseconds of a front, the fastest first.
 const COSTS: [f64; 6] = [0.2, 0.31, 0.36, 0.41, 0.5, 1.0];
@@ -30,11 +30,7 @@ fn a_frame_over_the_budget_is_followed_by_one_that_fits_where_any_does() {
             let last = COSTS[place] * load;
             let next = after(place, last, &COSTS, BUDGET);
             let is_kept = |place: usize| COSTS[place] * load <= BUDGET;
-            assert!(if is_kept(place) {
-                next == place
-            } else {
-                next < place || place == 0
-            });
+            assert_eq!(next == place, is_kept(place) || place == 0);
             assert!(is_kept(next) || next == 0, "{place}, load {load}: {next}");
             // The most exact of those.
             let is_less_exact = (next + 1..place).any(is_kept);
@@ -70,25 +66,18 @@ fn best_trades_are_ordered_from_the_fastest_on() {
 #[test]
 fn only_methods_that_can_be_chosen_are_timed() {
     let drawing = Drawing {
-        scene: Scene::load(None).expect("it is built in"),
+        scene: built_in(),
         size: [40, 30],
         threads: 1,
         level: Level::new(),
     };
-    // Each is said to take 1 ms.
-    let chosen = choose(
-        &drawing,
-        2.0,
-        &async |request: &Request, _, _: Monitor<'_>| {
-            let mut modes = request.methods.iter().map(|it| it.mode);
-            assert!(
-                modes.all(|mode| mode != UnitVectors),
-                "no budget chooses it"
-            );
-            Ok(vec![vec![1.0; 4]; request.methods.len()])
-        },
-    );
-    let chosen = chosen.expect("it is small");
+    let one_millisecond = async |request: &Request, _, _: Monitor<'_>| {
+        let mut modes = request.methods.iter().map(|it| it.mode);
+        let is_chosen = modes.all(|mode| mode != UnitVectors);
+        assert!(is_chosen, "no budget chooses it");
+        Ok(vec![vec![1.0; 4]; request.methods.len()])
+    };
+    let chosen = choose(&drawing, 2.0, &one_millisecond).expect("it is small");
     let (chosen, text) = chosen.expect("a cuboid is drawn");
     assert_eq!((chosen.method.mode, chosen.timing.median), (Phong, 1.0));
     assert!(text.contains("1.00 ms"), "{text}");

@@ -1,152 +1,103 @@
-//! The format of `trade.json`: its keys, their types, and the range of each figure.
+//! The format of `trade.json`: the keys of its tables, and the range of each figure.
 
-use serde::Deserialize;
+use serde_json::Value;
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Report {
-    machine: Machine,
-    pub command: String,
-    scene: String,
-    camera: String,
-    projection: String,
-    pub size: [u64; 2],
-    pub covered_pixels: u64,
-    pub methods: Vec<Method>,
-    left_out: Vec<LeftOut>,
+use crate::cli::keys;
+
+const OF_REPORT: &str =
+    "machine command scene camera projection size covered_pixels methods left_out";
+const OF_MACHINE: &str = "cpu cores lanes os rustc profile";
+const OF_METHOD: &str = "id mode segments tolerance threads ms ns_per_covered_pixel counts error own_error edge_pixels \
+                         highlight_kept on_front";
+const OF_TIMING: &str = "samples median interval min raw";
+const OF_ERROR: &str = "max max_pixel mean rmse p999 over_1_level";
+const OF_LEFT_OUT: &str = "id mode segments tolerance reason";
+
+fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LeftOut {
-    id: String,
-    mode: String,
-    segments: u32,
-    tolerance: f64,
-    reason: String,
+fn numbers(value: &Value) -> Vec<f64> {
+    let values = value.as_array().expect("a list");
+    values.iter().map(number).collect()
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Machine {
-    cpu: String,
-    cores: u64,
-    lanes: String,
-    os: String,
-    rustc: String,
-    profile: String,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Method {
-    pub id: String,
-    pub mode: String,
-    #[serde(deserialize_with = "Option::deserialize")]
-    pub segments: Option<u32>,
-    pub tolerance: f64,
-    pub threads: u64,
-    /// `None` of what is not timed.
-    #[serde(deserialize_with = "Option::deserialize")]
-    pub ms: Option<Timing>,
-    #[serde(deserialize_with = "Option::deserialize")]
-    pub ns_per_covered_pixel: Option<f64>,
-    pub counts: Counts,
-    #[serde(deserialize_with = "Option::deserialize")]
-    pub error: Option<Error>,
-    #[serde(deserialize_with = "Option::deserialize")]
-    pub own_error: Option<Error>,
-    #[serde(deserialize_with = "Option::deserialize")]
-    pub highlight_kept: Option<f64>,
-    pub edge_pixels: u64,
-    pub on_front: bool,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Timing {
-    pub samples: usize,
-    pub median: f64,
-    interval: [f64; 2],
-    min: f64,
-    raw: Vec<f64>,
-}
-
-#[derive(Deserialize, PartialEq, Debug)]
-#[serde(deny_unknown_fields)]
-pub struct Counts {
-    pub model_evaluations: u64,
-    pub specular_evaluations: u64,
-}
-
-#[derive(Deserialize, PartialEq, Debug)]
-#[serde(deny_unknown_fields)]
-pub struct Error {
-    pub max: f64,
-    pub max_pixel: [usize; 2],
-    mean: f64,
-    rmse: f64,
-    p999: f64,
-    over_1_level: f64,
-}
-
-/// Reads the report in `text`; panics if it violates the format.
-pub fn read(text: &str) -> Report {
-    let report: Report = serde_json::from_str(text).expect("it has the keys of the contract");
-    let Machine { cpu, os, rustc, .. } = &report.machine;
-    let Machine { lanes, profile, .. } = &report.machine;
-    let texts = [cpu, os, rustc, lanes, profile, &report.command];
-    assert!(texts.into_iter().all(|text| !text.is_empty()));
-    assert!(["test", "/dev/stdin"].contains(&&*report.scene));
-    assert_eq!([&report.camera, &report.projection], ["1", "perspective"]);
-    assert!(report.machine.cores > 0);
-    let [width, height] = report.size.map(|side| side as usize);
-    let is_covered = report.covered_pixels > 0;
-    for method in &report.methods {
-        let what = &method.id;
-        let is_named = what.contains(&method.mode) || what.is_empty();
-        assert!(is_named, "{what} is {}", method.mode);
-        if let Some(count) = method.segments {
-            assert_eq!(
-                *what,
-                format!("gouraud-{count}x{count}-{}", method.tolerance)
-            );
-        }
-        assert!(method.edge_pixels <= (width * height) as u64, "{what}");
-        let is_timed = !["phong-unit-vectors", "blinn-phong"].contains(&&**what);
-        assert_eq!(method.ms.is_some(), is_timed, "{what}");
-        let has_time = method.ns_per_covered_pixel.is_some();
-        assert_eq!(has_time, is_timed && is_covered, "{what}");
-        if let Some(ms) = &method.ms {
-            let least = ms.raw.iter().copied().fold(f64::INFINITY, f64::min);
-            assert_eq!((ms.samples, ms.min), (ms.raw.len(), least), "{what}");
-            let [low, high] = ms.interval;
-            // An end may lie a step of the clock below the least time.
-            let is_sorted = [0.0, low, high].is_sorted() && ms.min <= ms.median;
-            assert!(is_sorted, "{what}");
-            let time = ms.median * 1e6 / report.covered_pixels as f64;
-            let time = is_covered.then_some(time);
-            assert_eq!(method.ns_per_covered_pixel, time, "{what}");
-        }
-        let errors = [&method.error, &method.own_error].map(Option::as_ref);
-        assert_eq!(errors.map(|it| it.is_some()), [is_covered; 2], "{what}");
-        let shares = errors.into_iter().flatten().map(|it| it.over_1_level);
-        let mut shares = shares.chain(method.highlight_kept);
-        assert!(shares.all(|it| (0.0..=1.0).contains(&it)));
-        for error in errors.into_iter().flatten() {
-            let in_levels = [0.0, error.mean, error.rmse, error.max, 255.0];
-            assert!(in_levels.is_sorted() && error.p999 <= error.max, "{what}");
-            let [x, y] = error.max_pixel;
-            assert!(x < width && y < height, "{what}");
-        }
+/// Reads a report; panics if it violates the format.
+pub fn read(text: &str) -> Value {
+    let report: Value = serde_json::from_str(text).expect("JSON");
+    let machine = &report["machine"];
+    assert_eq!(
+        (keys(&report), keys(machine)),
+        (OF_REPORT.into(), OF_MACHINE.into())
+    );
+    for text in ["cpu", "lanes", "os", "rustc", "profile"] {
+        assert!(machine[text].as_str().is_some_and(|it| !it.is_empty()));
     }
-    for out in &report.left_out {
-        let (count, tolerance) = (out.segments, out.tolerance);
-        assert_eq!(out.id, format!("{}-{count}x{count}-{tolerance}", out.mode));
-        assert!(!out.reason.is_empty());
+    assert!(machine["cores"].as_u64() > Some(0) && report["command"].is_string());
+    assert_eq!(
+        (&report["camera"], &report["projection"]),
+        (&"1".into(), &"perspective".into())
+    );
+    let methods = report["methods"].as_array().expect("a list");
+    for method in methods {
+        check_method(method, &report);
     }
-    let has_front = report.methods.iter().any(|method| method.on_front);
-    let has_time = report.methods.iter().any(|it| it.ms.is_some());
+    for out in report["left_out"].as_array().expect("a list") {
+        assert_eq!(keys(out), OF_LEFT_OUT);
+        assert!(out["reason"].as_str().is_some_and(|it| !it.is_empty()));
+    }
+    let is_covered = report["covered_pixels"].as_u64() > Some(0);
+    let has_front = methods.iter().any(|it| it["on_front"] == true);
+    let has_time = methods.iter().any(|it| !it["ms"].is_null());
     assert_eq!(has_front, is_covered && has_time);
     report
+}
+
+fn check_method(method: &Value, report: &Value) {
+    let what = method["id"].as_str().expect("a name");
+    assert_eq!(keys(method), OF_METHOD, "{what}");
+    let counts = keys(&method["counts"]);
+    assert_eq!(counts, "model_evaluations specular_evaluations", "{what}");
+    let size = numbers(&report["size"]);
+    assert!(
+        number(&method["edge_pixels"]) <= size[0] * size[1],
+        "{what}"
+    );
+    let covered = number(&report["covered_pixels"]);
+    let is_timed = !["phong-unit-vectors", "blinn-phong"].contains(&what);
+    assert_eq!(method["ms"].is_object(), is_timed, "{what}");
+    let mut expected = None;
+    if is_timed {
+        let ms = &method["ms"];
+        assert_eq!(keys(ms), OF_TIMING, "{what}");
+        let (raw, interval) = (numbers(&ms["raw"]), numbers(&ms["interval"]));
+        assert_eq!(number(&ms["samples"]), raw.len() as f64, "{what}");
+        let [median, least] = ["median", "min"].map(|key| number(&ms[key]));
+        assert_eq!(raw.into_iter().reduce(f64::min), Some(least), "{what}");
+        // An end may lie a step of the clock below the least time.
+        let is_sorted = [0.0, interval[0], interval[1]].is_sorted() && least <= median;
+        assert!(is_sorted, "{what}");
+        expected = (covered > 0.0).then_some(median * 1e6 / covered);
+    }
+    assert_eq!(method["ns_per_covered_pixel"].as_f64(), expected, "{what}");
+    let kept = &method["highlight_kept"];
+    assert!(
+        kept.is_null() || (0.0..=1.0).contains(&number(kept)),
+        "{what}"
+    );
+    for error in ["error", "own_error"].map(|key| &method[key]) {
+        assert_eq!(error.is_object(), covered > 0.0, "{what}");
+        if error.is_null() {
+            continue;
+        }
+        assert_eq!(keys(error), OF_ERROR, "{what}");
+        let [mean, rmse, max] = ["mean", "rmse", "max"].map(|key| number(&error[key]));
+        let in_levels = [0.0, mean, rmse, max, 255.0].is_sorted();
+        assert!(in_levels && number(&error["p999"]) <= max, "{what}");
+        assert!((0.0..=1.0).contains(&number(&error["over_1_level"])));
+        let pixel = numbers(&error["max_pixel"]);
+        assert!(pixel[0] < size[0] && pixel[1] < size[1], "{what}");
+    }
 }

@@ -1,4 +1,4 @@
-//! Real measurements of small pictures: ordinary views, and views with little or nothing to measure.
+//! Real measurements of small pictures: an ordinary view, and views with little or nothing to measure.
 
 use std::sync::Mutex;
 use std::time::Duration;
@@ -6,13 +6,11 @@ use std::time::Duration;
 use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::cli::options::BudgetOption;
+use shadetrade::components::ShadingMode::Phong;
 use shadetrade::components::{
-    Background, Light, LightKind, ShadingMode, Viewer, overwrite, viewer_mut,
+    Background, Light, LightKind, Material, Viewer, overwrite, viewer_mut,
 };
-use shadetrade::output::CANCELLED;
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
-use shadetrade::output::json;
+use shadetrade::output::{CANCELLED, Monitor, finished, json};
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::trade::timing::{MIN_SAMPLES, Timing};
@@ -20,26 +18,22 @@ use shadetrade::questions::trade::verdict::verdict;
 use shadetrade::questions::trade::{
     self, Measured, Measurement, Report, Request, accuracy, batch, export, measure, plot,
 };
-use shadetrade::reference;
-use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::scene::SceneRecord;
 use shadetrade::shading::{METHODS, Method};
-use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
+use shadetrade::systems::frame::Keep;
 
 use super::contract;
+use crate::support::scene::{changed, done, draw, truth};
 
 /// A request to measure the default scene after a change, as briefly as possible.
-fn request(size: [usize; 2], threads: usize, change: impl Fn(&mut SceneRecord)) -> Request {
-    let mut record = SceneRecord::of(&Scene::load(None).expect("it is built in").world);
-    change(&mut record);
-    let drawing = Drawing {
-        scene: Scene::spawn("test".to_owned(), &record),
-        size,
-        threads,
-        level: Level::new(),
-    };
+fn request(size: [usize; 2], threads: usize, change: impl FnOnce(&mut SceneRecord)) -> Request {
     Request {
-        drawing,
+        drawing: Drawing {
+            scene: changed(change),
+            size,
+            threads,
+            level: Level::new(),
+        },
         methods: METHODS.to_vec(),
         time: Duration::ZERO,
         is_report: true,
@@ -47,78 +41,71 @@ fn request(size: [usize; 2], threads: usize, change: impl Fn(&mut SceneRecord)) 
     }
 }
 
-fn ordinary(size: [usize; 2], threads: usize) -> Request {
-    request(size, threads, |_| ())
+fn ordinary(size: [usize; 2]) -> Request {
+    request(size, 1, |_| ())
 }
 
-/// Measures, checks the properties of all reports, and reads the JSON.
-fn measured(request: &Request) -> (Report, contract::Report) {
-    let report = finished(trade::measure_report(
+/// Measures, and checks the properties of all reports.
+fn measured(request: &Request) -> Report {
+    let report = done(trade::measure_report(
         request,
         batch::time_here,
         Monitor::NONE,
-    ))
-    .expect("it is measured");
+    ));
     let text = json(&report).expect("it is written");
-    let read = contract::read(&text);
-    assert_eq!(read.size, request.drawing.size.map(|side| side as u64));
-    assert_eq!(report.methods.len(), request.methods.len());
-    for ((one, asked), read) in report
-        .methods
-        .iter()
-        .zip(&request.methods)
-        .zip(&read.methods)
-    {
-        assert_eq!((one.method, &*read.id), (*asked, asked.id));
-        assert_eq!(read.threads, request.drawing.threads as u64);
-        let samples = read.ms.as_ref().map(|it| it.samples);
-        assert!(samples.is_none_or(|it| it >= MIN_SAMPLES));
+    contract::read(&text);
+    assert_eq!(report.size, request.drawing.size);
+    let measured: Vec<Method> = report.methods.iter().map(|it| it.method).collect();
+    assert_eq!(measured, request.methods);
+    for one in &report.methods {
+        assert_eq!(one.threads, request.drawing.threads);
+        let samples = one.timing.samples;
+        assert!(samples >= MIN_SAMPLES || !one.method.mode.is_drawn());
     }
     let svg = plot::svg(&report).expect("it is drawn");
     for text in [text, export::table(&report), export::markdown(&report), svg] {
         let mut words = text.split(|c: char| !c.is_alphanumeric());
         assert!(!words.any(|word| ["NaN", "inf"].contains(&word)), "{text}");
     }
-    (report, read)
+    report
 }
 
 #[test]
-fn an_ordinary_view_gives_a_report_within_the_contract() {
-    let (_, report) = measured(&ordinary([80, 60], 1));
+fn an_ordinary_view_has_a_report_and_its_live_trade_the_same_errors() {
+    let mut asked = ordinary([100, 80]);
+    asked.methods.push(Method::of(Phong, 3.0));
+    let report = measured(&asked);
     assert!(report.covered_pixels > 500);
     for one in &report.methods {
-        let own = one.own_error.as_ref().map(|error| error.max);
-        let limit = Some(one.tolerance.max(0.05));
-        assert!(own <= limit, "{own:?} of {}", one.id);
+        let own = one.own_error.map(|error| error.max);
+        let limit = Some(one.method.tolerance.max(0.05));
+        assert!(own <= limit, "{own:?} of {:?}", one.method);
     }
-    let find = |id| report.methods.iter().find(|one| one.id == id);
-    let found = ["phong-0", "gouraud-0", "phong-unit-vectors"].map(|id| find(id).expect(id));
-    let errors = found.map(|one| one.error.as_ref().expect("it is compared"));
-    assert!(errors[0].max < 0.05 && errors[1].max > 5.0 && errors[2].max > 5.0);
-    let [exact, gouraud, shortcut] = found;
-    assert!(exact.highlight_kept > Some(0.999) && shortcut.highlight_kept < Some(0.5));
+    let find = |id| report.methods.iter().find(|it| it.method.id == id);
+    let found = ["phong-0", "gouraud-0", "phong-unit-vectors", "phong-0.5"];
+    let [exact, gouraud, shortcut, half] = found.map(|id| find(id).expect(id));
+    assert!(exact.largest_error() < Some(0.05) && gouraud.largest_error() > Some(5.0));
+    assert!(shortcut.largest_error() > Some(5.0) && shortcut.highlight_kept < Some(0.5));
+    assert!(exact.highlight_kept > Some(0.999));
     assert_eq!(gouraud.counts.model_evaluations, 8);
     assert_eq!(exact.counts.model_evaluations, report.covered_pixels);
-}
+    // More threads change only times, and a method is measured alike without others.
+    let mut alone = request([100, 80], 2, |_| ());
+    alone.methods = vec![half.method];
+    let figures = |it: &Measurement| (it.counts, it.error, it.own_error);
+    assert_eq!(figures(&measured(&alone).methods[0]), figures(half));
 
-#[test]
-fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
-    let mut asked = ordinary([100, 80], 1);
-    asked.methods.push(Method::of(ShadingMode::Phong, 3.0));
-    let (report, _) = measured(&asked);
+    asked.is_report = false;
     let shares = Mutex::new(Vec::new());
     let progress = |step, share| shares.lock().expect("nobody panics").push((step, share));
     let monitor = Monitor {
         progress: &progress,
         ..Monitor::NONE
     };
-    asked.is_report = false;
     let none = Measured::default();
-    let seen = finished(measure(&asked, &none, batch::time_here, monitor));
-    let seen = seen.expect("it is measured").methods;
+    let seen = done(measure(&asked, &none, batch::time_here, monitor)).methods;
     for (one, seen) in report.methods.iter().zip(&seen) {
-        assert_eq!(seen.method, one.method);
-        assert_eq!(seen.error, one.error);
+        assert_eq!((seen.method, seen.error), (one.method, one.error));
         assert_eq!(seen.highlight_kept, one.highlight_kept, "{:?}", one.method);
         let is_timed = seen.timing.samples >= MIN_SAMPLES;
         assert_eq!(is_timed, seen.method.mode.is_drawn(), "{:?}", one.method);
@@ -135,7 +122,7 @@ fn a_live_trade_has_the_errors_and_the_front_of_its_report() {
 
 #[test]
 fn known_errors_and_the_timing_with_more_samples_are_kept() {
-    let mut asked = ordinary([64, 48], 1);
+    let mut asked = ordinary([64, 48]);
     asked.methods.truncate(3);
     let measure = |known: &_, monitor| finished(measure(&asked, known, batch::time_here, monitor));
     let mut known = measure(&Measured::default(), Monitor::NONE).expect("it is measured");
@@ -144,9 +131,9 @@ fn known_errors_and_the_timing_with_more_samples_are_kept() {
         max: 1e3,
         ..ErrorStatistics::default()
     });
-    for (index, samples) in [1_000_000, 1].into_iter().enumerate() {
-        known.methods[index].error = error;
-        known.methods[index].timing = Timing {
+    for (one, samples) in known.methods.iter_mut().zip([1_000_000, 1]) {
+        one.error = error;
+        one.timing = Timing {
             samples,
             median: -1.0,
             ..Timing::default()
@@ -157,26 +144,14 @@ fn known_errors_and_the_timing_with_more_samples_are_kept() {
     let again = again.methods;
     assert_eq!(again[0].timing, known.methods[0].timing);
     assert!(again[1].timing.samples >= MIN_SAMPLES && again[1].timing.median > 0.0);
-    let errors: Vec<_> = again.iter().map(|it| it.error).collect();
-    assert_eq!(errors[..2], [error; 2]);
-    assert!(errors[2].is_some_and(|error| error.max <= 255.0));
+    assert_eq!([again[0].error, again[1].error], [error; 2]);
+    assert!(again[2].largest_error().is_some_and(|error| error <= 255.0));
     let cancelled = Monitor {
         is_cancelled: &|| true,
         ..Monitor::NONE
     };
     let error = measure(&known, cancelled).expect_err("it is cancelled");
     assert_eq!(error.to_string(), CANCELLED);
-}
-
-#[test]
-fn more_threads_change_only_times_and_a_method_is_measured_alike_without_others() {
-    let mut alone = ordinary([64, 48], 2);
-    alone.methods.retain(|it| it.id == "phong-0.5");
-    let [(all, _), (alone, _)] = [ordinary([64, 48], 1), alone].map(|it| measured(&it));
-    let mut of_all = all.methods.iter();
-    let other = of_all.find(|it| it.method == alone.methods[0].method);
-    let figures = |it: &Measurement| (it.counts, it.error, it.own_error);
-    assert_eq!(other.map(figures), Some(figures(&alone.methods[0])));
 }
 
 /// A light that is off stays off.
@@ -190,39 +165,31 @@ fn the_share_of_the_highlight_is_that_of_specular_light_alone_before_black() {
             off.position = Some(DVec3::new(-5.0, 9.0, 20.0));
             record.light.push(off);
         });
-        let background = Background(DVec3::splat(background));
         let world = &mut asked.drawing.scene.world;
-        overwrite(world, &background);
+        overwrite(world, &Background(DVec3::splat(background)));
         viewer_mut(world).tolerance = tolerance;
         asked
     };
-    let mut lit = asked(0.0, 0.5).drawing;
-    for light in lit.scene.world.query_mut::<&mut Light>() {
+    let lit = asked(0.0, 0.5).drawing;
+    let view = lit.view();
+    let mut world = lit.scene.world;
+    for light in world.query_mut::<&mut Light>() {
         light.on = light.kind == LightKind::Specular && light.on;
     }
-    let view = lit.view();
-    let phong = view.shaded(ShadingMode::Phong);
-    let truth = finished(reference::picture(
-        &lit.scene.world,
-        &phong,
-        0..120,
-        Monitor::NONE,
-    ));
-    let truth = truth.expect("it is not cancelled");
-    let mut frame = Frame::new(Keep::Levels, Workers::alone(Level::new()));
+    let exact = truth(&world, &view.shaded(Phong)).levels;
     let expected = METHODS.iter().map(|method| {
         let view = method.view(&view);
-        if !method.mode.is_drawn() {
-            let levels = crate::support::scene::truth(&lit.scene.world, &view).levels;
-            let levels = levels.into_iter().map(|it| it.map(|level| level as f32));
-            return accuracy::share_kept(levels, &truth.levels);
-        }
-        systems::draw(&mut lit.scene.world, &view, &mut frame).expect("a small picture fits");
-        accuracy::share_kept(frame.levels().iter().copied(), &truth.levels)
+        let levels = if method.mode.is_drawn() {
+            draw(&mut world, &view, Keep::Levels).levels().to_vec()
+        } else {
+            let levels = truth(&world, &view).levels.into_iter();
+            levels.map(|it| it.map(|level| level as f32)).collect()
+        };
+        accuracy::share_kept(levels.into_iter(), &exact)
     });
     let expected: Vec<_> = expected.collect();
     for (background, tolerance) in [(20.0, 0.5), (200.0, 255.0)] {
-        let (report, _) = measured(&asked(background, tolerance));
+        let report = measured(&asked(background, tolerance));
         let kept: Vec<_> = report.methods.iter().map(|it| it.highlight_kept).collect();
         assert_eq!(kept, expected, "{background}, {tolerance}");
     }
@@ -239,36 +206,30 @@ fn a_budget_on_the_command_line_replaces_the_tolerance_of_the_scene() {
 
 #[test]
 fn views_with_little_or_nothing_to_measure_have_a_report() {
-    let away: fn(&mut SceneRecord) =
-        |record| record.camera[0].target = DVec3::new(14.0, 10.0, 16.0);
-    let (nothing, _) = measured(&request([32, 24], 1, away));
+    let away = |record: &mut SceneRecord| record.camera[0].target = DVec3::new(14.0, 10.0, 16.0);
+    let nothing = measured(&request([32, 24], 1, away));
     assert_eq!(nothing.covered_pixels, 0);
     for one in &nothing.methods {
-        assert_eq!(
-            (one.largest_error(), one.ns_per_covered_pixel),
-            (None, None)
-        );
-        assert!(!one.on_front);
+        let figures = (one.largest_error(), one.ns_per_covered_pixel);
+        assert_eq!((figures, one.on_front), ((None, None), false));
     }
-    assert_eq!(measured(&ordinary([1, 1], 1)).0.covered_pixels, 1);
+    assert_eq!(measured(&ordinary([1, 1])).covered_pixels, 1);
     // What is not timed has its pixels, too.
-    let mut by_reference = ordinary([1, 1], 1);
+    let mut by_reference = ordinary([1, 1]);
     by_reference.methods.retain(|it| !it.mode.is_drawn());
-    assert_eq!(measured(&by_reference).0.covered_pixels, 1);
+    assert_eq!(measured(&by_reference).covered_pixels, 1);
     // Without light or colour all methods draw the same black.
     let unlit: fn(&mut SceneRecord) = |record| record.light.clear();
     let black: fn(&mut SceneRecord) = |record| {
-        let material = &mut record.cuboid[0].material;
-        for color in [
-            &mut material.ambient,
-            &mut material.diffuse,
-            &mut material.specular,
-        ] {
-            *color = DVec3::ZERO;
-        }
+        record.cuboid[0].material = Material {
+            ambient: DVec3::ZERO,
+            diffuse: DVec3::ZERO,
+            specular: DVec3::ZERO,
+            shininess: 1.0,
+        };
     };
     for change in [unlit, black] {
-        let (report, _) = measured(&request([32, 24], 1, change));
+        let report = measured(&request([32, 24], 1, change));
         assert!(report.covered_pixels > 0);
         for one in &report.methods {
             assert_eq!((one.largest_error(), one.highlight_kept), (Some(0.0), None));
@@ -307,24 +268,27 @@ fn grids_that_memory_cannot_hold_are_left_out_unless_they_were_asked_for() {
     let report = measure(&asked).expect("the others are measured");
     let found: Vec<&str> = report.methods.iter().map(|it| it.method.id).collect();
     assert_eq!(found, [ids[0], ids[2]]);
-    let [out] = &report.left_out[..] else {
+    let read = contract::read(&json(&report).expect("it is written"));
+    let [out] = &read["left_out"].as_array().expect("a list")[..] else {
         panic!("{report:?}");
     };
-    assert_eq!((out.method.id, &out.reason), (ids[1], &error));
-    contract::read(&json(&report).expect("it is written"));
+    assert_eq!(
+        (&out["id"], &out["mode"]),
+        (&ids[1].into(), &"gouraud".into())
+    );
+    assert_eq!(
+        (&out["segments"], &out["tolerance"]),
+        (&256.into(), &0.5.into())
+    );
+    assert_eq!(out["reason"], error);
 }
 
 #[test]
 fn what_cannot_be_measured_or_written_is_an_error() {
     // Starts this test program, which does not know the option.
-    let request = ordinary([16, 12], 1);
-    let result = finished(measure(
-        &request,
-        &Measured::default(),
-        batch::time_in_a_process,
-        Monitor::NONE,
-    ));
-    let said = format!("{:#}", result.expect_err("it cannot"));
+    let (request, none) = (ordinary([16, 12]), Measured::default());
+    let work = measure(&request, &none, batch::time_in_a_process, Monitor::NONE);
+    let said = format!("{:#}", finished(work).expect_err("it cannot"));
     assert!(
         said.contains("batch") && !said.contains("error: "),
         "{said}"
@@ -337,7 +301,7 @@ fn what_cannot_be_measured_or_written_is_an_error() {
     );
     // Measuring the first picture would take long.
     for (side, folder, words) in [(4000, "missing/out", "missing"), (1 << 24, "out", &needed)] {
-        let result = trade::run(&ordinary([side; 2], 1), Some(&parent.path().join(folder)));
+        let result = trade::run(&ordinary([side; 2]), Some(&parent.path().join(folder)));
         let message = format!("{:#}", result.expect_err("it cannot"));
         assert!(message.contains(words), "{message}");
     }

@@ -12,62 +12,54 @@ use super::example;
 #[test]
 fn the_figures_of_samples_are_those_computed_by_hand() {
     // In ascending order 1, 31, ..., 40: the sixth is 35.
-    let samples = [
-        40.0, 31.0, 39.0, 32.0, 1.0, 38.0, 33.0, 37.0, 34.0, 36.0, 35.0,
-    ];
+    let samples = [40, 31, 39, 32, 1, 38, 33, 37, 34, 36, 35].map(f64::from);
     let timing = Timing::of(&[samples.to_vec()]);
     assert_eq!((timing.samples, timing.median, timing.min), (11, 35.0, 1.0));
     assert_eq!(timing.raw, samples);
     // The interval spans the medians of the batches, not the samples.
-    let timing = Timing::of(&[
-        vec![1.0, 10.0, 99.0],
-        vec![12.0, 2.0, 88.0],
-        vec![11.0, 11.0, 11.0],
-    ]);
+    let batches = [[1, 10, 99], [12, 2, 88], [11, 11, 11]];
+    let timing = Timing::of(&batches.map(|it| it.map(f64::from).to_vec()));
     assert_eq!((timing.interval, timing.median), ([10.0, 12.0], 11.0));
     assert_eq!(median(&[4.0, 1.0, 2.0, 7.0]), 3.0);
     assert_eq!(median(&[5.0]), 5.0);
 }
 
+/// Error and time of each method of a trade; a star is on the front.
+const FRONTS: &str = "
+160 1 *, 4 2 *, 5 3, 4 2.5, 0 8 *, 0.1 8
+Of equal errors the faster stays, even where times are within noise: a budget needs one of them.
+165 0.2 *, 165 0.322
+1 10 *, 1 10.05
+So of errors that read the same.
+165.3 0.2 *, 165.2 0.322, 0.001 9 *
+2 10, 1 10 *, 1 10
+Slower within noise but more accurate: both stay.
+1 10 *, 0.5 10.05 *
+Not faster, and less accurate.
+1 10 *, 1.5 10.05
+The rounding of the reference is no error.
+7e-15 1 *, 0 2";
+
 #[test]
 fn the_front_has_the_methods_that_no_other_one_beats_beyond_noise() {
-    // Error and time of each method, and whether it is on the front.
-    for methods in [
-        &[
-            (160.0, 1.0, true),
-            (4.0, 2.0, true),
-            (5.0, 3.0, false),
-            (4.0, 2.5, false),
-            (0.0, 8.0, true),
-            (0.1, 8.0, false),
-        ][..],
-        // Of equal errors the faster stays, even where times are within noise: a budget needs one of them.
-        &[(165.0, 0.2, true), (165.0, 0.322, false)],
-        &[(1.0, 10.0, true), (1.0, 10.05, false)],
-        // So of errors that read the same.
-        &[
-            (165.3, 0.2, true),
-            (165.2, 0.322, false),
-            (0.001, 9.0, true),
-        ],
-        &[(2.0, 10.0, false), (1.0, 10.0, true), (1.0, 10.0, false)],
-        // Slower within noise but more accurate: both stay.
-        &[(1.0, 10.0, true), (0.5, 10.05, true)],
-        // Not faster, and less accurate.
-        &[(1.0, 10.0, true), (1.5, 10.05, false)],
-        // The rounding of the reference is no error.
-        &[(7e-15, 1.0, true), (0.0, 2.0, false)],
-        &[],
-    ] {
-        let method = Method::of(ShadingMode::Phong, 0.0);
-        let measured = methods.iter().map(|it| example::live(method, it.1, it.0));
-        let mut measured: Vec<_> = measured.collect();
-        let front = |measured: &mut [Measurement]| {
-            mark_front(measured);
-            measured.iter().map(|it| it.on_front).collect::<Vec<_>>()
-        };
-        let expected: Vec<bool> = methods.iter().map(|it| it.2).collect();
-        assert_eq!(front(&mut measured), expected, "{methods:?}");
+    let method = Method::of(ShadingMode::Phong, 0.0);
+    let front = |measured: &mut [Measurement]| {
+        mark_front(measured);
+        measured.iter().map(|it| it.on_front).collect::<Vec<_>>()
+    };
+    assert!(front(&mut []).is_empty());
+    for row in FRONTS
+        .lines()
+        .filter(|row| row.starts_with(char::is_numeric))
+    {
+        let cells = row.split(", ").map(|cell| {
+            let mut numbers = cell.split(' ').map(str::parse::<f64>);
+            let mut next = || numbers.next().expect("two numbers").expect("a number");
+            let (error, time) = (next(), next());
+            (example::live(method, time, error), cell.ends_with('*'))
+        });
+        let (mut measured, expected): (Vec<_>, Vec<_>) = cells.unzip();
+        assert_eq!(front(&mut measured), expected, "{row}");
         // Without a cuboid in the picture there is no front.
         for one in &mut measured {
             one.error = None;
