@@ -9,12 +9,9 @@ use std::path::{Path, PathBuf};
 fn layers(page: &'static str) -> Vec<Vec<&'static str>> {
     let (_, section) = page
         .split_once("# Who may import whom")
-        .expect("the page has it");
+        .expect("it is there");
     let block = section.split("```").nth(1).expect("a block of text");
-    let lines = block
-        .lines()
-        .skip(1)
-        .map(|line| line.trim_start_matches("//!"));
+    let lines = block.lines().skip(1).map(|it| it.trim_start_matches("//!"));
     let layers = lines.map(|line| line.split_whitespace().collect::<Vec<_>>());
     layers.filter(|modules| !modules.is_empty()).collect()
 }
@@ -23,25 +20,22 @@ fn layers(page: &'static str) -> Vec<Vec<&'static str>> {
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder of sources");
     let paths = entries.map(|entry| entry.expect("it can be read").path());
-    paths
-        .flat_map(|path| {
-            if path.is_dir() {
-                sources(&path)
-            } else {
-                vec![path]
-            }
-        })
-        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
-        .collect()
+    let below = |path: PathBuf| {
+        if path.is_dir() {
+            sources(&path)
+        } else {
+            vec![path]
+        }
+    };
+    let mut all: Vec<PathBuf> = paths.flat_map(below).collect();
+    all.retain(|path| path.extension().is_some_and(|it| it == "rs"));
+    all
 }
 
 /// The first names after one of the `roots`, such as `crate::`, including those in braces.
 fn imported<'a>(code: &'a str, roots: &[&str]) -> Vec<&'a str> {
-    let words = |text| {
-        str::split(text, |letter: char| {
-            !letter.is_alphanumeric() && letter != '_'
-        })
-    };
+    let is_other = |letter: char| !letter.is_alphanumeric() && letter != '_';
+    let words = |text: &'a str| text.split(is_other);
     let paths = roots.iter().flat_map(|root| code.split(root).skip(1));
     paths
         .flat_map(|path| match path.strip_prefix('{') {
@@ -53,24 +47,20 @@ fn imported<'a>(code: &'a str, roots: &[&str]) -> Vec<&'a str> {
 
 /// Checks all imports below `folder` against the drawing of `page`, and returns how many were seen.
 fn check_imports(folder: &Path, page: &'static str, roots: &[&str]) -> usize {
-    let layers = layers(page);
-    let modules = (0..).zip(&layers);
-    let layer_of: HashMap<&str, usize> = modules
-        .flat_map(|(layer, modules)| modules.iter().map(move |module| (*module, layer)))
-        .collect();
+    let mut layer_of = HashMap::new();
+    for (layer, modules) in layers(page).into_iter().enumerate() {
+        layer_of.extend(modules.into_iter().map(|module| (module, layer)));
+    }
     let mut arrows = 0;
     for path in sources(folder) {
-        let inside = path
-            .strip_prefix(folder)
-            .expect("below it")
-            .with_extension("");
+        let inside = path.strip_prefix(folder).expect("below it");
+        let inside = inside.with_extension("");
         let module = inside.iter().next().expect("a name").to_string_lossy();
         if module == "lib" {
             continue;
         }
-        let layer = *layer_of
-            .get(&*module)
-            .unwrap_or_else(|| panic!("{module} is on no layer"));
+        let layer = layer_of.get(&*module);
+        let layer = *layer.unwrap_or_else(|| panic!("{module} is on no layer"));
         let text = fs::read_to_string(&path).expect("it can be read");
         let is_code = |line: &&str| !line.trim_start().starts_with("//");
         let code: Vec<&str> = text.lines().filter(is_code).collect();

@@ -92,10 +92,8 @@ fn brightness(pixel: u32) -> u8 {
 fn spot(pixels: &[u32]) -> Option<[f64; 2]> {
     let places = || (0..).zip(pixels).filter(|it| *it.1 != BACKGROUND);
     let most = places().map(|it| brightness(*it.1)).max()?;
-    let bright: Vec<usize> = places()
-        .filter(|it| brightness(*it.1) == most)
-        .map(|it| it.0)
-        .collect();
+    let brightest = places().filter(|it| brightness(*it.1) == most);
+    let bright: Vec<usize> = brightest.map(|it| it.0).collect();
     let mean = |place: &dyn Fn(usize) -> usize| {
         let sum: usize = bright.iter().map(|it| place(*it)).sum();
         (sum as f64 / bright.len() as f64) + 0.5
@@ -135,12 +133,8 @@ fn the_line_of_a_wipe_and_the_cross_are_on_the_bright_spot() {
             }
             if let Some([right, down]) = view.pixel {
                 let aspect = SIZE[0] as f64 / SIZE[1] as f64;
-                let away = [(x - 0.5) * aspect - right, y - 0.5 - down];
-                assert!(
-                    away.iter().all(|it| it.abs() < 0.01),
-                    "{away:?}: {}",
-                    step.say
-                );
+                let away = ((x - 0.5) * aspect - right).hypot(y - 0.5 - down);
+                assert!(away < 0.01, "{away}: {}", step.say);
                 seen += 1;
             }
         }
@@ -165,10 +159,8 @@ fn the_plane_is_dull_where_light_is_computed_at_its_corners() {
     phong.says("more than 200 of 255");
     assert!(spot(&phong.pixels(ShadingMode::Phong)).is_some());
     let segments = step("plane", 6);
-    segments.says(&format!(
-        "{} segments",
-        segments.record.cuboid[0].segments.count()
-    ));
+    let count = segments.record.cuboid[0].segments.count();
+    segments.says(&format!("{count} segments"));
     assert!(spot(&segments.pixels(ShadingMode::Gouraud)).is_some());
 }
 
@@ -177,28 +169,19 @@ fn edges_decide_whether_there_is_a_spot() {
     let gouraud = step("edges", 3);
     gouraud.says(&format!("up to {:.0} of 255", gouraud.error()));
     let sharp = step("edges", 4);
-    assert!(
-        sharp
-            .record
-            .cuboid
-            .iter()
-            .all(|it| it.normals == NormalMode::Face)
-    );
+    let mut cuboids = sharp.record.cuboid.iter();
+    assert!(cuboids.all(|it| it.normals == NormalMode::Face));
     let mut dark = step("edges", 4);
-    let specular = |it: &&mut shadetrade::scene::LightRecord| it.kind == LightKind::Specular;
-    dark.record
-        .light
-        .iter_mut()
-        .filter(specular)
-        .for_each(|it| it.on = false);
+    let lights = dark.record.light.iter_mut();
+    let specular = lights.filter(|it| it.kind == LightKind::Specular);
+    specular.for_each(|it| it.on = false);
     let [with, without] = [&sharp, &dark].map(|it| it.pixels(ShadingMode::Phong));
     assert!(with == without, "no mirrored light meets the eye");
     let mut smooth = step("edges", 4);
     smooth.record.cuboid[0].normals = NormalMode::Corner;
     assert!(spot(&smooth.pixels(ShadingMode::Phong)).is_some());
-    let last = step("edges", 5);
-    last.says("less than one level");
-    let mut gouraud = last;
+    let mut gouraud = step("edges", 5);
+    gouraud.says("less than one level");
     gouraud.record.cuboid[0].shading = ShadingMode::Gouraud;
     assert!(gouraud.error() < 1.0);
 }
@@ -207,10 +190,8 @@ fn edges_decide_whether_there_is_a_spot() {
 fn the_errors_of_segments_are_those_of_the_program() {
     for count in [1, 2] {
         let step = step("vertices", 1).with_segments(count);
-        assert!(
-            spot(&step.pixels(ShadingMode::Gouraud)).is_none(),
-            "{count}"
-        );
+        let spot = spot(&step.pixels(ShadingMode::Gouraud));
+        assert!(spot.is_none(), "{count}");
     }
     let eight = step("vertices", 2);
     assert!(spot(&eight.pixels(ShadingMode::Gouraud)).is_some());
@@ -219,12 +200,8 @@ fn the_errors_of_segments_are_those_of_the_program() {
     sixteen.says(&format!("up to {:.0} off", sixteen.error()));
     let all = step("vertices", 4);
     all.says(&format!("64 segments: up to {:.1} off", all.error()));
-    let says = all.say.clone();
-    let half = all.with_segments(32).error();
-    assert!(
-        says.contains(&format!("of the {half:.0} that 32 segments")),
-        "{half}"
-    );
+    let half = all.with_segments(32);
+    half.says(&format!("of the {:.0} that 32 segments", half.error()));
     let sharp = step("vertices", 6);
     sharp.says("less than one level off");
     assert!(sharp.error() < 1.0);
@@ -253,32 +230,21 @@ fn blinn_parts_from_phong_with_the_angle() {
 #[test]
 fn the_squares_of_a_tolerance_are_those_of_the_program() {
     use SquareKind::{Highlight, Linear, Quadratic, Terminator};
-    let all =
-        |squares: &dyn Fn(SquareKind) -> u64| SquareKind::ALL.into_iter().map(squares).sum::<u64>();
-    let nine = |squares: &dyn Fn(SquareKind) -> u64| {
-        [Linear, Quadratic, Terminator]
-            .map(squares)
-            .iter()
-            .sum::<u64>()
+    let count = |kinds: &[SquareKind], squares: &dyn Fn(SquareKind) -> u64| -> u64 {
+        kinds.iter().map(|kind| squares(*kind)).sum()
     };
+    let nine = [Linear, Quadratic, Terminator];
     let exact = step("tolerance", 1).squares();
-    assert_eq!(
-        nine(&exact) + exact(Highlight),
-        0,
-        "all are computed pixel by pixel"
-    );
+    let pixel_by_pixel = count(&nine, &exact) + exact(Highlight) == 0;
+    assert!(pixel_by_pixel, "all are computed pixel by pixel");
     let half = step("tolerance", 2).squares();
-    assert!(3 * nine(&half) > 2 * all(&half), "most squares");
-    assert!(half(Quadratic) > 50 && half(Highlight) < 20);
+    let most = 3 * count(&nine, &half) > 2 * count(&SquareKind::ALL, &half);
+    assert!(most && half(Quadratic) > 50 && half(Highlight) < 20);
     let eight = step("tolerance", 3).squares();
-    assert!(
-        eight(Linear) > 50 && eight(Quadratic) < 10,
-        "blue replaces yellow"
-    );
-    assert!(
-        eight(Highlight) > half(Highlight),
-        "pink reaches into the spot"
-    );
+    let is_blue = eight(Linear) > 50 && eight(Quadratic) < 10;
+    assert!(is_blue, "blue replaces yellow");
+    let is_pink = eight(Highlight) > half(Highlight);
+    assert!(is_pink, "pink reaches into the spot");
     let map = step("tolerance", 5);
     map.says(&format!("about {:.0} off", map.error()));
     let last = step("tolerance", 6);

@@ -17,15 +17,8 @@ fn a_file_is_made_or_replaced_and_nothing_is_left_beside_it() {
     let absolute = folder.path().join("absolute.png");
     let absolute = absolute.to_str().expect("it is UTF-8");
     let long = "n".repeat(251) + ".png";
-    for path in [
-        "./a.png",
-        "sub/../b.PNG",
-        "./-",
-        "no-extension",
-        "c.v2.png",
-        absolute,
-        &long,
-    ] {
+    let names = "./a.png sub/../b.PNG ./- no-extension c.v2.png".split(' ');
+    for path in names.chain([absolute, &long]) {
         assert_works(folder.path(), &format!("{SMALL} {path}"));
         decode(&get(folder.path(), path));
     }
@@ -57,13 +50,12 @@ fn standard_output_holds_the_file_alone() {
 fn of_files_that_belong_together_all_are_written_or_none() {
     let folder = folder();
     // A folder has the name of the last file.
+    let trade = "trade --quick --size 16x12 --methods phong-1";
+    let vary = "vary camera.1.fov=20..30 --size 16x12 --steps 2 --methods phong-1";
     for (line, last) in [
         ("figures", "components.png"),
-        ("trade --quick --size 16x12 --methods phong-1", "trade.svg"),
-        (
-            "vary camera.1.fov=20..30 --size 16x12 --steps 2 --methods phong-1",
-            "vary.svg",
-        ),
+        (trade, "trade.svg"),
+        (vary, "vary.svg"),
     ] {
         let place = folder.path().join(last);
         fs::create_dir_all(place.join("kept")).expect("it is made");
@@ -86,11 +78,8 @@ mod unix {
     use crate::cli::{assert_failed, in_shell};
 
     fn mode(path: &Path) -> u32 {
-        fs::metadata(path)
-            .expect("it is there")
-            .permissions()
-            .mode()
-            & 0o7777
+        let metadata = fs::metadata(path).expect("it is there");
+        metadata.permissions().mode() & 0o7777
     }
 
     fn set_mode(path: &Path, mode: u32) {
@@ -119,7 +108,6 @@ mod unix {
     #[test]
     fn a_link_stays_a_link_and_its_target_is_replaced() {
         let folder = folder();
-        let link = |target: &str, link: &str| symlink(target, folder.path().join(link));
         fs::create_dir(folder.path().join("sub")).expect("it is made");
         put(folder.path(), "sub/target.png", "old");
         for (target, name) in [
@@ -129,7 +117,7 @@ mod unix {
             ("loop.png", "loop.png"),
             ("absent/a.png", "astray.png"),
         ] {
-            link(target, name).expect("a link is made");
+            symlink(target, folder.path().join(name)).expect("it is made");
         }
         for (link, target) in [
             ("outer.png", "sub/target.png"),
@@ -169,7 +157,7 @@ mod unix {
         assert_failed(&output, 1, "/dev/full|No space left");
         assert_eq!(listing(folder.path()), ["pipe.fifo"]);
         let script = format!("$0 {SMALL} - | $0 prove --picture -");
-        let judged = crate::cli::in_shell(folder.path(), &script);
+        let judged = in_shell(folder.path(), &script);
         assert!(judged.status.success(), "{}", said(&judged));
     }
 
@@ -179,11 +167,11 @@ mod unix {
         let folder = folder();
         let program = folder.path().join("program");
         // Not `fs::copy`: a test that starts a program meanwhile would hold the copy open for writing, and so busy.
-        let copy = [
-            env!("CARGO_BIN_EXE_shadetrade").as_ref(),
-            program.as_os_str(),
-        ];
-        let copied = Command::new("cp").args(copy).status();
+        let mut copy = Command::new("cp");
+        let copied = copy
+            .arg(env!("CARGO_BIN_EXE_shadetrade"))
+            .arg(&program)
+            .status();
         assert!(copied.is_ok_and(|it| it.success()));
         for name in ["kept.png", "old.png"] {
             put(folder.path(), name, "old");

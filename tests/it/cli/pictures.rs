@@ -24,11 +24,8 @@ fn render(options: &str) -> (u32, u32, Vec<u8>) {
 fn a_scene_is_drawn_with_its_own_view_and_options_override_it() {
     let folder = folder();
     let scene = |view: &str| {
-        put(
-            folder.path(),
-            "a.toml",
-            format!("{}\n[view]\n{view}\n", text_without_view()),
-        );
+        let text = format!("{}\n[view]\n{view}\n", text_without_view());
+        put(folder.path(), "a.toml", text);
         folder.path().join("a.toml").display().to_string()
     };
     let small = |words: &str| render(&format!("{words} --size 64x48"));
@@ -82,15 +79,21 @@ fn a_budget_chooses_the_method_that_is_drawn_and_says_it() {
 #[test]
 fn an_empty_picture_says_why() {
     let folder = folder();
-    let away =
-        |position: &str| SCENE.replace("target = [0.0, 0.0, 0.0]", &format!("target = {position}"));
-    put(
-        folder.path(),
-        "near.toml",
-        SCENE.replace("# near = 0.01", "near = 100"),
-    );
-    put(folder.path(), "behind.toml", away("[14.0, 10.0, 16.0]"));
-    put(folder.path(), "beside.toml", away("[-8.0, 5.0, 8.0]"));
+    for (name, from, to) in [
+        ("near.toml", "# near = 0.01", "near = 100"),
+        (
+            "behind.toml",
+            "target = [0.0, 0.0, 0.0]",
+            "target = [14, 10, 16]",
+        ),
+        (
+            "beside.toml",
+            "target = [0.0, 0.0, 0.0]",
+            "target = [-8, 5, 8]",
+        ),
+    ] {
+        put(folder.path(), name, SCENE.replace(from, to));
+    }
     for (line, words) in [
         (
             "render near.toml -o a.png",
@@ -109,9 +112,8 @@ fn an_empty_picture_says_why() {
         ("render -o a.png", ""),
     ] {
         let said = assert_works(folder.path(), &format!("{line} --size 80x60"));
-        let reason = said
-            .lines()
-            .find_map(|line| line.strip_prefix("nothing is seen: "));
+        let mut lines = said.lines();
+        let reason = lines.find_map(|it| it.strip_prefix("nothing is seen: "));
         assert_eq!(reason.is_some(), !words.is_empty(), "{line}: {said}");
         assert!(reason.unwrap_or_default().contains(words), "{line}: {said}");
     }
@@ -122,12 +124,8 @@ fn intensities_that_are_shares_of_1_are_explained() {
     let folder = folder();
     put(folder.path(), "levels.toml", SCENE);
     let shares = "--set light.white.gain=1 --set light.white.intensity=1 --lights white";
-    for (scene, options, is_dark) in [
-        ("levels.toml", "", false),
-        ("levels.toml", "--lights none", false),
-        ("levels.toml", shares, true),
-    ] {
-        let line = format!("render {scene} {options} -o a.png --size 80x60");
+    for (options, is_dark) in [("", false), ("--lights none", false), (shares, true)] {
+        let line = format!("render levels.toml {options} -o a.png --size 80x60");
         let said = assert_works(folder.path(), &line);
         assert_eq!(said.contains("gain = 255"), is_dark, "{line}: {said}");
     }
@@ -202,13 +200,10 @@ fn without_a_display_plain_view_draws_the_figures() {
         }
     }
     for (name, options) in [
-        ("gouraud-camera-2.png", "--shading gouraud --camera 2"),
-        (
-            "phong-white-camera-1.png",
-            "--shading phong --lights white,ambient",
-        ),
+        ("gouraud-camera-2.png", "gouraud --camera 2"),
+        ("phong-white-camera-1.png", "phong --lights white,ambient"),
     ] {
-        let picture = render(&format!("{options} --tolerance 0"));
+        let picture = render(&format!("--shading {options} --tolerance 0"));
         assert!(decode(&get(&made, name)) == picture, "{name}");
     }
     assert_eq!(get(&made, "mine.txt"), b"mine");

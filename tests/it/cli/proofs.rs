@@ -11,6 +11,13 @@ use super::{SCENE, assert_works, cube, folder, json, keys, put, run, said, shade
 
 const SMALL: &str = "--shading phong --tolerance 0";
 
+/// Exit status, arguments, words of the text with bars between, and words that are not in it.
+const TEXTS: &str = "\
+1 ¦ prove two.toml --picture drawn.png ¦ perspective, 96x72, scene, tolerance 0.5|largest proven|where 1 is allowed, half a \
+level of it|The pixels that are not proven|is refuted, aside, face  ¦ 0.000000 to |instead of
+1 ¦ prove --picture wide.png ¦ proven     0 of ¦ largest
+0 ¦ prove extremes/eye-inside --size 9x9 ¦ proven     81 of ¦ e0 levels|half a level";
+
 #[test]
 fn a_picture_of_any_8_bit_colour_type_is_judged() {
     let folder = folder();
@@ -58,25 +65,14 @@ fn a_picture_of_any_8_bit_colour_type_is_judged() {
     // A cube that is not in the picture, as text.
     let two = format!("{SCENE}\n{}", cube("aside", [-3.0, 1.0, -3.0]));
     put(folder, "two.toml", two);
-    for (line, status, words, others) in [
-        (
-            "prove two.toml --picture drawn.png",
-            1,
-            "perspective, 96x72, scene, tolerance 0.5|largest proven|where 1 is allowed, half a level of it|\
-             The pixels that are not proven|is refuted, aside, face ",
-            "0.000000 to |instead of",
-        ),
-        ("prove --picture wide.png", 1, "proven     0 of", "largest"),
-        (
-            "prove extremes/eye-inside --size 9x9",
-            0,
-            "proven     81 of",
-            "e0 levels|half a level",
-        ),
-    ] {
+    for row in TEXTS.lines() {
+        let cells: Vec<&str> = row.split(" ¦ ").collect();
+        let [status, line, words, others] = cells[..] else {
+            panic!("{row}");
+        };
         let output = run(folder, line);
-        assert_eq!(output.status.code(), Some(status));
-        assert_eq!(said(&output).contains("not proven: "), status == 1);
+        assert_eq!(output.status.code(), status.parse().ok(), "{row}");
+        assert_eq!(said(&output).contains("not proven: "), status == "1");
         let text = String::from_utf8_lossy(&output.stdout);
         assert!(words.split('|').all(|it| text.contains(it)), "{text}");
         assert!(!others.split('|').any(|it| text.contains(it)), "{text}");
@@ -122,46 +118,35 @@ fn a_pixel_that_is_undecided_or_a_gap_is_a_failure() {
     let folder = folder.path();
     put(folder, "edge.toml", EDGE);
     assert_works(folder, "render edge.toml --size 9x9 -o drawn.png");
-    let mut holed = image::open(folder.join("drawn.png"))
-        .expect("a PNG")
-        .to_rgb8();
+    let drawn = image::open(folder.join("drawn.png")).expect("a PNG");
+    let mut holed = drawn.to_rgb8();
     holed.put_pixel(4, 4, [0; 3].into());
     holed.save(folder.join("holed.png")).expect("it is written");
     // The direction to a light at the visible point is not enclosed.
     let light = "[[light]]\nname = \"d\"\nkind = \"diffuse\"\ncolor = [1, 1, 1]\nintensity = 9\nposition = [1, 0, 1]\n";
     put(folder, "lit.toml", format!("{EDGE}{light}"));
     for (line, color, counts) in [
+        ("edge.toml --picture drawn.png", 0x0026_5a78, [81, 0, 0]),
+        ("edge.toml --picture holed.png", 0x00e0_40ff, [80, 0, 1]),
         (
-            "prove edge.toml --picture drawn.png",
-            [0x26, 0x5a, 0x78],
-            [81, 0, 0],
-        ),
-        (
-            "prove edge.toml --picture holed.png",
-            [0xe0, 0x40, 0xff],
-            [80, 0, 1],
-        ),
-        (
-            "prove lit.toml --shading phong --size 9x9",
-            [0xff, 0xd5, 0],
+            "lit.toml --shading phong --size 9x9",
+            0x00ff_d500,
             [80, 1, 0],
         ),
     ] {
-        let (status, proof) = json(folder, &format!("{line} --json -o map.png"));
+        let line = format!("prove {line} --json -o map.png");
+        let (status, proof) = json(folder, &line);
         let found = ["proven", "undecided", "gaps"].map(|key| &proof[key]);
         assert_eq!(found, counts, "{line}");
         assert_eq!(status, Some(i32::from(counts[0] < 81)), "{line}");
-        let map = image::open(folder.join("map.png"))
-            .expect("a PNG")
-            .to_rgb8();
-        assert_eq!(map.get_pixel(4, 4).0, color, "{line}");
+        let map = image::open(folder.join("map.png")).expect("a PNG");
+        let [red, green, blue] = map.to_rgb8().get_pixel(4, 4).0;
+        assert_eq!(u32::from_be_bytes([0, red, green, blue]), color, "{line}");
     }
-    let text = run(folder, "prove edge.toml --picture holed.png");
-    let text = String::from_utf8_lossy(&text.stdout).into_owned();
-    assert!(
-        text.contains("4,4 is a gap, background instead of c, face +"),
-        "{text}"
-    );
+    let output = run(folder, "prove edge.toml --picture holed.png");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let told = "4,4 is a gap, background instead of c, face +";
+    assert!(text.contains(told), "{text}");
 }
 
 /// `render` draws the whole picture on all threads, `prove` bands of it.
@@ -169,26 +154,16 @@ fn a_pixel_that_is_undecided_or_a_gap_is_a_failure() {
 fn what_render_writes_is_proven() {
     let folder = folder();
     let folder = folder.path();
-    put(
-        folder,
-        "two.toml",
-        format!("{SCENE}\n{}", cube("aside", [-1.5, 1.0, 1.0])),
-    );
-    for (scene, size) in [
-        ("cuboid", "97x131"),
-        ("two.toml", "131x65"),
-        ("bench-close", "1x77"),
+    let two = format!("{SCENE}\n{}", cube("aside", [-1.5, 1.0, 1.0]));
+    put(folder, "two.toml", two);
+    for options in [
+        "cuboid --shading gouraud --size 97x131",
+        "two.toml --shading phong --tolerance 0 --size 131x65",
+        "bench-close --shading phong --size 1x77",
     ] {
-        for mode in ["gouraud", "phong"] {
-            for tolerance in ["0", "0.5"] {
-                let options = format!("{scene} --shading {mode} --tolerance {tolerance}");
-                assert_works(
-                    folder,
-                    &format!("render {options} --size {size} -o drawn.png"),
-                );
-                assert_works(folder, &format!("prove {options} --picture drawn.png"));
-            }
-        }
+        assert_works(folder, &format!("render {options} -o drawn.png"));
+        let (options, _) = options.split_once(" --size").expect("a size");
+        assert_works(folder, &format!("prove {options} --picture drawn.png"));
     }
 }
 
@@ -196,13 +171,11 @@ fn what_render_writes_is_proven() {
 fn several_pictures_have_a_line_each_with_what_is_wrong() {
     let folder = folder();
     let folder = folder.path();
+    let bright = "--shading phong --set light.ambient.intensity=120";
     for (name, options) in [
         ("right.png", "--shading phong"),
         ("vertices.png", "--shading gouraud"),
-        (
-            "bright.png",
-            "--shading phong --set light.ambient.intensity=120",
-        ),
+        ("bright.png", bright),
     ] {
         assert_works(folder, &format!("render {options} --size 96x72 -o {name}"));
     }
@@ -212,22 +185,15 @@ fn several_pictures_have_a_line_each_with_what_is_wrong() {
     let (status, records) = json(folder, &format!("{line} --json"));
     assert_eq!(status, Some(1));
     let records = records.as_array().expect("an array");
-    let names = records
+    let names = records.iter().map(|it| it["picture"].as_str());
+    let names: Vec<&str> = names.flatten().collect();
+    assert_eq!(names.join(" "), pictures.replace('\u{1b}', "\\u{1b}"));
+    let causes = records
         .iter()
-        .map(|it| it["picture"].as_str().expect("a name"));
-    assert_eq!(
-        names.collect::<Vec<_>>().join(" "),
-        pictures.replace('\u{1b}', "\\u{1b}")
-    );
-    let causes: Vec<usize> = (records.iter())
-        .map(|it| it["causes"].as_array().map_or(9, Vec::len))
-        .collect();
-    assert_eq!(causes, [0, 1, 0, 9]);
-    assert!(
-        records[3]["error"]
-            .as_str()
-            .is_some_and(|it| it.contains("not a PNG"))
-    );
+        .map(|it| it["causes"].as_array().map(Vec::len));
+    assert!(causes.eq([Some(0), Some(1), Some(0), None]));
+    let error = records[3]["error"].as_str();
+    assert!(error.is_some_and(|it| it.contains("not a PNG")));
     let output = run(folder, &line);
     let table = String::from_utf8_lossy(&output.stdout).into_owned();
     for (row, words) in [
@@ -240,11 +206,10 @@ fn several_pictures_have_a_line_each_with_what_is_wrong() {
         assert!(row.is_some_and(|it| it.contains(words)), "{words}: {table}");
     }
     assert!(said(&output).contains("3 of 4 pictures"));
-    let proven = run(
+    assert_works(
         folder,
         "prove --shading phong --picture right.png right.png",
     );
-    assert_eq!(proven.status.code(), Some(0));
     // Of one picture the worst pixel comes first.
     let one = run(folder, "prove --shading phong --picture vertices.png");
     let text = String::from_utf8_lossy(&one.stdout).into_owned();
@@ -257,11 +222,12 @@ fn an_extreme_is_proven_and_drawn_by_its_name() {
     let folder = folder();
     let (status, outcomes) = json(folder.path(), "extremes picture-1x1 extremes/speck --json");
     assert_eq!(status, Some(0));
-    let found = [0, 1].map(|index| json!([outcomes[index]["name"], outcomes[index]["pass"]]));
-    assert_eq!(
-        found,
-        [json!(["picture-1x1", true]), json!(["speck", true])]
-    );
+    for (outcome, name) in [(&outcomes[0], "picture-1x1"), (&outcomes[1], "speck")] {
+        assert_eq!(
+            (&outcome["name"], &outcome["pass"]),
+            (&json!(name), &json!(true))
+        );
+    }
     let line = "render extremes/eye-on-an-edge --size 64x48 -o a.png";
     assert_works(folder.path(), line);
 }
@@ -277,16 +243,11 @@ fn extremes_are_listed_with_a_sentence_and_a_line_is_printed_as_each_is_proven()
         let (name, sentence) = line.split_once("  ").expect("a name and a sentence");
         assert_eq!(format!("extremes/{name}"), *path);
         let head = text.replace("\n# ", " ");
-        assert!(
-            sentence.ends_with('.') && head.contains(sentence.trim()),
-            "{line}"
-        );
+        assert!(sentence.ends_with('.') && head.contains(sentence.trim()));
     }
     let (_, listed) = json(folder.path(), "extremes --list --json speck");
-    assert_eq!(
-        (keys(&listed[0]), &listed[0]["name"]),
-        ("name says".to_owned(), &json!("speck"))
-    );
+    assert_eq!(keys(&listed[0]), "name says");
+    assert_eq!(listed[0]["name"], "speck");
 
     // The first line is there long before the last scene is proven.
     let mut program = shadetrade(folder.path());
@@ -294,14 +255,10 @@ fn extremes_are_listed_with_a_sentence_and_a_line_is_printed_as_each_is_proven()
     let mut program = program.expect("it starts");
     let mut line = String::new();
     let output = program.stdout.as_mut().expect("it is piped");
-    BufReader::new(output)
-        .read_line(&mut line)
-        .expect("it can be read");
+    let read = BufReader::new(output).read_line(&mut line);
+    read.expect("it can be read");
     let is_going_on = program.try_wait().expect("its state is known").is_none();
     program.kill().expect("it is ours");
     program.wait().expect("it ends");
-    assert!(
-        line.starts_with("pass  assignment ") && is_going_on,
-        "{line}"
-    );
+    assert!(line.starts_with("pass  assignment ") && is_going_on);
 }

@@ -147,14 +147,13 @@ fn a_name_is_unique_within_its_kind() {
     }
     let other = light.replace("white", "other");
     assert_complaint(&format!("{LEAST}{other}{light}"), "29:8", &["`light.name`"]);
-    let names = [
+    for (line, name) in [
         (17, "white"),
         (17, "a, b"),
         (17, "all"),
         (11, "All"),
         (11, " "),
-    ];
-    for (line, name) in names {
+    ] {
         assert_accepted(&with_line(line, &format!("name = {name:?}")));
     }
 }
@@ -232,16 +231,16 @@ fn up_and_target_may_come_as_near_as_f64_can_tell() {
 fn the_line_is_shown_with_carets_below_the_mistake() {
     let shown = |text: &str| complaint(text).split_once('\n').unwrap().1.to_owned();
     // A tab, a letter of two bytes and a line end of two bytes count as one column or none.
-    assert_eq!(
-        shown(&with_line(12, "\tkind\t=\t'é'\r")),
-        "   |\n12 |  kind = 'é'\n   |         ^^^"
-    );
-    assert_eq!(
-        shown(&with_line(4, "size = [1,\n1]")),
-        "  |\n4 | size = [1,\n  |        ^^^"
-    );
-    assert_eq!(shown(""), "  |\n1 | \n  | ^");
-    assert_eq!(shown("\u{feff}a = 1"), "  |\n1 | a = 1\n  | ^");
+    let letters = with_line(12, "\tkind\t=\t'é'\r");
+    let two_lines = with_line(4, "size = [1,\n1]");
+    for (text, expected) in [
+        (&*letters, "   |\n12 |  kind = 'é'\n   |         ^^^"),
+        (&*two_lines, "  |\n4 | size = [1,\n  |        ^^^"),
+        ("", "  |\n1 | \n  | ^"),
+        ("\u{feff}a = 1", "  |\n1 | a = 1\n  | ^"),
+    ] {
+        assert_eq!(shown(text), expected);
+    }
 
     let space = " ".repeat(1000);
     let long = complaint(&with_line(9, &format!("shininess {space}= -1{space}")));
@@ -249,10 +248,8 @@ fn the_line_is_shown_with_carets_below_the_mistake() {
     let lines: Vec<&str> = long.lines().collect();
     assert_eq!(lines[2].len(), "9 | ".len() + 100);
     let marked = &lines[2][lines[3].find('^').unwrap()..];
-    assert!(
-        marked.starts_with("-1 ") && lines[3].ends_with(" ^^"),
-        "{long}"
-    );
+    let is_marked = marked.starts_with("-1 ") && lines[3].ends_with(" ^^");
+    assert!(is_marked, "{long}");
     for value in [format!("[{}]", "1, ".repeat(100_000)), format!("'{space}'")] {
         let message = complaint(&with_line(9, &format!("shininess = {value}")));
         assert!(message.len() < 800, "{message}");

@@ -9,9 +9,6 @@ fn read(text: &str) -> anyhow::Result<Scene> {
     Scene::parse_lesson("a.toml", text, Path::new(""))
 }
 
-/// The message about a lesson without steps.
-const NO_STEP: &str = "expected one or more tables, each headed `[[step]]`";
-
 #[test]
 fn every_built_in_lesson_opens_at_its_first_step_and_each_step_changes_something() {
     for (name, _) in LESSONS {
@@ -25,10 +22,8 @@ fn every_built_in_lesson_opens_at_its_first_step_and_each_step_changes_something
         // Nothing has been edited yet.
         let saved = Scene::parse(name, &scene.text).expect("a scene");
         assert_eq!(SceneRecord::of(&saved.world), *steps[0].record);
-        assert!(
-            steps.windows(2).all(|it| it[0].record != it[1].record),
-            "{name}"
-        );
+        let mut pairs = steps.windows(2);
+        assert!(pairs.all(|it| it[0].record != it[1].record), "{name}");
         assert!(steps.iter().all(|step| !step.say.is_empty()));
     }
 }
@@ -81,81 +76,38 @@ say = 'So.'
     assert!(steps[1].question.is_none() && steps[1].show.is_empty());
 }
 
+/// The lines of a lesson after its first (`⏎` breaks a line), the place of the mistake, and words of the message.
+const MISTAKES: &str = r"
+STEP⏎set.light.withe.on = true                   ¦ 4:22 ¦ light has white
+STEP⏎set = { light.white.on = 3 }                ¦ 4:26 ¦ a boolean
+STEP⏎set = { camera.1.target = [7, 5, 8] }       ¦ 4:7  ¦ camera.target
+STEP⏎STEP⏎set.light.withe.on = true              ¦ 6:22 ¦ light has white
+[[step]]⏎set = {}                                ¦ 2:1  ¦ say
+STEP⏎words = 1                                   ¦ 4:1  ¦ words
+[step]⏎say = 'a'                                 ¦ 2:1  ¦ [[step]]
+                                                 ¦ 1:1  ¦ expected one or more tables, each headed `[[step]]`
+step = []                                        ¦ 2:8  ¦ expected one or more tables, each headed `[[step]]`
+STEP⏎show = ['segments', 'colour']               ¦ 4:21 ¦ `segments`
+STEP⏎ask = ['b', 'c']⏎right = 3⏎then = 'd'       ¦ 5:9  ¦ from 1 to 2
+STEP⏎ask = ['b', 'c']⏎right = 0                  ¦ 5:9  ¦ from 1 to 2
+STEP⏎ask = ['b', 'c']⏎then = 'd'                 ¦ 2:1  ¦ `right`, expected the number
+STEP⏎ask = ['b', 'c']⏎right = 1                  ¦ 2:1  ¦ `then`, expected the sentence
+STEP⏎ask = ['b']⏎right = 1⏎then = 'd'            ¦ 4:7  ¦ two or more answers
+STEP⏎right = 1                                   ¦ 2:1  ¦ two or more answers
+STEP⏎ask = ['b', 'LONG']                         ¦ 4:7  ¦ at most 200
+[[step]]⏎say = 'LONG'                            ¦ 3:7  ¦ at most 200";
+
 #[test]
 fn a_mistake_has_its_place() {
     let long = "x".repeat(201);
-    for (steps, place, words) in [
-        (
-            "[[step]]\nsay = 'a'\nset.light.withe.on = true",
-            "4:22",
-            "light has white",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nset = { light.white.on = 3 }",
-            "4:26",
-            "a boolean",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nset = { camera.1.target = [7, 5, 8] }",
-            "4:7",
-            "camera.target",
-        ),
-        (
-            "[[step]]\nsay = 'a'\n[[step]]\nsay = 'b'\nset.light.withe.on = true",
-            "6:22",
-            "light has white",
-        ),
-        ("[[step]]\nset = {}", "2:1", "say"),
-        ("[[step]]\nsay = 'a'\nwords = 1", "4:1", "words"),
-        ("[step]\nsay = 'a'", "2:1", "[[step]]"),
-        ("", "1:1", NO_STEP),
-        ("step = []", "2:8", NO_STEP),
-        (
-            "[[step]]\nsay = 'a'\nshow = ['segments', 'colour']",
-            "4:21",
-            "`segments`",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nright = 3\nthen = 'd'",
-            "5:9",
-            "from 1 to 2",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nright = 0",
-            "5:9",
-            "from 1 to 2",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nthen = 'd'",
-            "2:1",
-            "`right`, expected the number",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nask = ['b', 'c']\nright = 1",
-            "2:1",
-            "`then`, expected the sentence",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nask = ['b']\nright = 1\nthen = 'd'",
-            "4:7",
-            "two or more answers",
-        ),
-        (
-            "[[step]]\nsay = 'a'\nright = 1",
-            "2:1",
-            "two or more answers",
-        ),
-        (
-            &format!("[[step]]\nsay = 'a'\nask = ['b', '{long}']"),
-            "4:7",
-            "at most 200",
-        ),
-        (&format!("[[step]]\nsay = '{long}'"), "3:7", "at most 200"),
-    ] {
+    for row in MISTAKES.lines().skip(1) {
+        let cells: Vec<&str> = row.split('¦').map(str::trim).collect();
+        let steps = cells[0].replace("STEP", "[[step]]⏎say = 'a'");
+        let steps = steps.replace("LONG", &long).replace('⏎', "\n");
         let text = format!("scene = \"cuboid\"\n{steps}");
-        let error = read(&text).map(drop).expect_err(steps).to_string();
-        let is_right = error.starts_with(&format!("a.toml:{place}: ")) && error.contains(words);
-        assert!(is_right, "{steps}: {error}");
+        let error = read(&text).map(drop).expect_err(row).to_string();
+        let is_there = error.starts_with(&format!("a.toml:{}: ", cells[1]));
+        assert!(is_there && error.contains(cells[2]), "{row}: {error}");
     }
     let beside = "scene = \"bench-far.toml\"\n[[step]]\nsay = 'a'";
     let beside = Scene::parse_lesson("a.toml", beside, Path::new("assets/scenes"));
@@ -164,8 +116,6 @@ fn a_mistake_has_its_place() {
     assert_eq!(read(&longest).expect("200 letters").lesson.len(), 1);
     let error = read("scene = \"none.toml\"\nstep = []").map(drop);
     let error = error.expect_err("there is none").to_string();
-    assert!(
-        error.starts_with("a.toml:1:9: ") && error.contains("none.toml"),
-        "{error}"
-    );
+    let is_there = error.starts_with("a.toml:1:9: ");
+    assert!(is_there && error.contains("none.toml"), "{error}");
 }

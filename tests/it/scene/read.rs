@@ -5,13 +5,14 @@ use std::io::Write as _;
 use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::{
-    Camera, Light, LightKind, Material, NormalMode, ShadingMode, View, Viewer, names, ordered,
+    Camera, Light, LightKind, Material, ShadingMode, View, Viewer, names, ordered,
 };
-use shadetrade::scene::{BUILT_IN, CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
+use shadetrade::scene::{BUILT_IN, CuboidRecord, LightRecord, Scene, SceneRecord};
 
-use super::{LEAST, MOST};
+use super::LEAST;
 use crate::support::cases::config;
 use crate::support::records;
+use crate::support::scene::{built_in, changed};
 
 fn scene(text: &str) -> Scene {
     Scene::parse("test", text).unwrap_or_else(|error| panic!("{error}"))
@@ -21,15 +22,13 @@ fn record(scene: &Scene) -> SceneRecord {
     SceneRecord::of(&scene.world)
 }
 
-fn load(argument: Option<&str>) -> Scene {
-    Scene::load(argument).unwrap_or_else(|error| panic!("{error}"))
+fn load(argument: &str) -> Scene {
+    Scene::load(Some(argument)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn complaint(argument: &str) -> String {
-    match Scene::load(Some(argument)) {
-        Ok(_) => panic!("{argument} was loaded"),
-        Err(error) => error.to_string(),
-    }
+    let loaded = Scene::load(Some(argument)).map(drop);
+    loaded.expect_err("it is wrong").to_string()
 }
 
 /// The position and the camera with this index.
@@ -37,28 +36,25 @@ fn seen_by(scene: &Scene, camera: usize) -> Camera {
     Camera::of(&scene.world, ordered::<Camera>(&scene.world)[camera])
 }
 
-fn on(scene: &Scene) -> Vec<bool> {
+fn on(scene: &Scene) -> String {
     let record = record(scene);
-    record.light.iter().map(|light| light.on).collect()
-}
-
-fn material([ambient, diffuse, specular]: [[f64; 3]; 3], shininess: f64) -> Material {
-    Material {
-        ambient: ambient.into(),
-        diffuse: diffuse.into(),
-        specular: specular.into(),
-        shininess,
-    }
+    record
+        .light
+        .iter()
+        .map(|it| if it.on { '1' } else { '0' })
+        .collect()
 }
 
 #[test]
 fn a_missing_key_has_the_documented_default() {
     let cuboid = CuboidRecord {
         shading: ShadingMode::Gouraud,
-        material: material(
-            [1.0, 4.0, 7.0].map(|x| [x, x + 1.0, x + 2.0].map(|x| x / 10.0)),
-            76.8,
-        ),
+        material: Material {
+            ambient: DVec3::new(0.1, 0.2, 0.3),
+            diffuse: DVec3::new(0.4, 0.5, 0.6),
+            specular: DVec3::new(0.7, 0.8, 0.9),
+            shininess: 76.8,
+        },
         ..records::cuboid("box", [4.0, 3.0, 2.0], [0.0; 3])
     };
     let light = LightRecord {
@@ -80,39 +76,6 @@ fn a_missing_key_has_the_documented_default() {
     assert!((near - 138.0_f64.sqrt() / 1000.0).abs() < 1e-15);
 }
 
-#[test]
-fn every_key_is_read_and_integers_are_numbers() {
-    let cuboid = CuboidRecord {
-        rotation: DVec3::new(10.0, 20.0, -720.0),
-        normals: NormalMode::Face,
-        material: material([1.0, 4.0, 7.0].map(|x| [x, x + 1.0, x + 2.0]), 0.0),
-        ..records::cuboid("é", [1.0, 2.0, 4.0], [-1.0, 2.0, 300.0])
-    };
-    let light = LightRecord {
-        color: DVec3::new(16.0, 15.0, 3.0),
-        gain: 1e18,
-        on: false,
-        ..records::light("l", LightKind::Specular, 1000.0, [1.0, 2.0, 3.0])
-    };
-    let camera = CameraRecord {
-        up: DVec3::X,
-        near: Some(3.0),
-        ..records::camera("c", [0.0, 0.0, 9.0], [0.0, 0.0, 1.0], [179.0, 2.0])
-    };
-    let expected = SceneRecord {
-        background: DVec3::new(0.0, 255.0, 1.5),
-        cuboid: vec![cuboid],
-        light: vec![light],
-        camera: vec![camera],
-        view: Viewer::default(),
-    };
-    let scene = scene(MOST);
-    assert_eq!(record(&scene), expected);
-    assert_eq!(View::of(&scene.world, [1, 1]).background.z, 1.5);
-    let camera = seen_by(&scene, 0);
-    assert_eq!((camera.fov, camera.near()), (179.0, 3.0));
-}
-
 /// Fuzzing found a shininess of -0.0, which Phong did not treat like 0.
 #[test]
 fn negative_zero_is_read_as_zero() {
@@ -128,14 +91,14 @@ fn negative_zero_is_read_as_zero() {
 
 #[test]
 fn every_built_in_scene_has_the_material_and_the_lights_of_the_first_which_is_the_default() {
-    let default = load(None);
+    let default = built_in();
     assert_eq!(default.name, "cuboid");
     assert_eq!(names::<Camera>(&default.world), ["1", "2"]);
     let lights = ["white", "red", "specular", "ambient"];
     assert_eq!(names::<Light>(&default.world), lights);
     let expected = record(&default);
     for (name, _) in BUILT_IN {
-        let scene = load(Some(name));
+        let scene = load(name);
         let record = record(&scene);
         assert_eq!(scene.name, name);
         assert_eq!(record.light, expected.light);
@@ -145,7 +108,7 @@ fn every_built_in_scene_has_the_material_and_the_lights_of_the_first_which_is_th
 
 #[test]
 fn the_assignment_s_cuboid_and_cameras_are_where_it_puts_them() {
-    let scene = load(Some("assignment"));
+    let scene = load("assignment");
     let cuboid = &record(&scene).cuboid[0];
     assert_eq!(cuboid.size, DVec3::new(20.0, 10.0, 15.0));
     assert_eq!(cuboid.position, cuboid.size / 2.0);
@@ -158,44 +121,32 @@ fn the_assignment_s_cuboid_and_cameras_are_where_it_puts_them() {
     assert_eq!(second.axes()[2], DVec3::X);
 }
 
-#[test]
-fn lights_whose_names_differ_by_a_blank_are_told_apart() {
-    let lights = ["key", "key ", " fill"]
-        .map(|name| records::light(name, LightKind::Ambient, 1.0, [0.0; 3]));
-    let mut scene = load(None);
-    let mut record = record(&scene);
-    record.light = lights.to_vec();
-    scene = Scene::spawn("blanks".to_owned(), &record);
-    for (choice, expected) in [
-        ("key ", [false, true, false]),
-        (" fill", [false, false, true]),
-        ("key, fill", [true, false, true]),
-        (" key", [true, false, false]),
-        ("key,key ", [true, true, false]),
-    ] {
-        let switched = scene.switch_lights(choice);
-        assert_eq!(
-            (switched.ok(), on(&scene)),
-            (Some(()), expected.to_vec()),
-            "{choice:?}"
-        );
-    }
-}
+/// A choice of the four built-in lights, or of three whose names differ by a blank, and which of them are on.
+const CHOICES: &str = "none -> 0000
+ambient, red -> 0101
+all -> 1111
+white,white -> 1000
+key  -> 010
+ fill -> 001
+key, fill -> 101
+ key -> 100
+key,key  -> 110";
 
 #[test]
 fn lights_are_switched_by_name_all_or_none() {
-    let mut scene = load(None);
-    let mut switch = |choice: &str| {
-        let switched = scene.switch_lights(choice);
-        (switched.map_err(|error| error.to_string()), on(&scene))
-    };
-    for (choice, expected) in [
-        ("none", [false; 4]),
-        ("ambient, red", [false, true, false, true]),
-        ("all", [true; 4]),
-        ("white,white", [true, false, false, false]),
-    ] {
-        assert_eq!(switch(choice), (Ok(()), expected.to_vec()));
+    let blanks = ["key", "key ", " fill"]
+        .map(|name| records::light(name, LightKind::Ambient, 1.0, [0.0; 3]));
+    let mut blanks = changed(|record| record.light = blanks.to_vec());
+    let mut scene = built_in();
+    for row in CHOICES.lines() {
+        let (choice, expected) = row.split_once(" -> ").expect("lights");
+        let scene = if expected.len() == 4 {
+            &mut scene
+        } else {
+            &mut blanks
+        };
+        assert!(scene.switch_lights(choice).is_ok(), "{choice:?}");
+        assert_eq!(on(scene), expected, "{choice:?}");
     }
     // A refused choice switches no light.
     for (choice, unknown) in [
@@ -205,13 +156,9 @@ fn lights_are_switched_by_name_all_or_none() {
         ("white,,red", "\"\""),
         ("red,all", "\"all\""),
     ] {
-        let (said, on) = switch(choice);
-        let said = said.expect_err(choice);
-        assert!(
-            [unknown, "\"red\""].map(|it| said.contains(it)) == [true; 2],
-            "{said}"
-        );
-        assert_eq!(on, [true, false, false, false]);
+        let said = scene.switch_lights(choice).expect_err(choice).to_string();
+        assert!(said.contains(unknown) && said.contains("\"red\""), "{said}");
+        assert_eq!(on(&scene), "1000");
     }
 }
 
@@ -263,26 +210,21 @@ fn a_path_is_loaded_and_its_errors_contain_it() {
     let mut file = tempfile::NamedTempFile::new().unwrap();
     write!(file, "{LEAST}").unwrap();
     let path = file.path().to_str().unwrap().to_owned();
-    assert_eq!(load(Some(&path)).name, path);
+    assert_eq!(load(&path).name, path);
     writeln!(file, "far = 100.0").unwrap();
     let message = complaint(&path);
     assert!(message.starts_with(&format!("{path}:22:1: ")), "{message}");
     file.write_all(b"# caf\xe9\n").unwrap();
     let message = complaint(&path);
-    assert!(
-        message.starts_with(&format!("{path}:23:6: not UTF-8")),
-        "{message}"
-    );
+    let place = format!("{path}:23:6: not UTF-8");
+    assert!(message.starts_with(&place), "{message}");
 }
 
 #[test]
 fn an_unreadable_scene_is_reported_with_its_cause() {
     let folder = tempfile::tempdir().unwrap();
-    for (path, is_absent) in [
-        ("cubiod", true),
-        ("./cuboid", true),
-        (folder.path().to_str().unwrap(), false),
-    ] {
+    let folder = folder.path().to_str().unwrap();
+    for (path, is_absent) in [("cubiod", true), ("./cuboid", true), (folder, false)] {
         let message = complaint(path);
         assert!(message.contains(&format!("{path:?}")), "{message}");
         assert_eq!(message.contains("bench-far"), is_absent, "{message}");
@@ -300,6 +242,6 @@ fn an_endless_device_is_refused_and_a_pipe_is_read() {
     assert!(made.unwrap().success());
     let path = pipe.to_str().unwrap().to_owned();
     let writer = std::thread::spawn(move || std::fs::write(pipe, LEAST).unwrap());
-    assert_eq!(names::<Camera>(&load(Some(&path)).world), ["1"]);
+    assert_eq!(names::<Camera>(&load(&path).world), ["1"]);
     writer.join().unwrap();
 }

@@ -2,10 +2,11 @@
 
 use proptest::prelude::*;
 use shadetrade::components::{Light, ShadingMode, Side, ordered, overwrite, viewer_mut};
-use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::scene::SceneRecord;
 
 use super::random;
 use crate::support::cases::config;
+use crate::support::scene::built_in;
 
 proptest! {
     #![proptest_config(config(64))]
@@ -42,7 +43,7 @@ proptest! {
 
 #[test]
 fn a_snapshot_is_independent_and_keeps_the_assignment_s_shortcut() {
-    let mut scene = Scene::load(None).unwrap_or_else(|error| panic!("{error}"));
+    let mut scene = built_in();
     overwrite(&mut scene.world, &ShadingMode::UnitVectors);
     let copy = scene.snapshot();
     let before = SceneRecord::of(&scene.world);
