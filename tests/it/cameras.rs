@@ -113,13 +113,11 @@ fn zoom_in_orthographic_projection_changes_the_height_and_moves_neither_eye_nor_
     };
     let far = moved(&scene, raised(1.0));
     for zoom in [0.001, 0.1, 2.0] {
-        let lens = moved(
-            &scene,
-            Orbit {
-                zoom,
-                ..Orbit::default()
-            },
-        );
+        let orbit = Orbit {
+            zoom,
+            ..Orbit::default()
+        };
+        let lens = moved(&scene, orbit);
         assert_eq!((lens.eye, lens.near), (own.eye, own.near));
         assert!((lens.pitch * 200.0 / (20.0 * zoom) - 1.0).abs() < 1e-14);
         let lens = moved(&scene, raised(zoom));
@@ -128,10 +126,8 @@ fn zoom_in_orthographic_projection_changes_the_height_and_moves_neither_eye_nor_
     // The wheel goes on where in perspective the eye would be in the cuboid.
     let limits = Orbit::limits(&scene.world);
     let expected = 3.0 * 2.0_f64.sqrt();
-    assert!(
-        (limits.start() * 20.0 / expected * 1000.0 - 1.0).abs() < 1e-12,
-        "{limits:?}"
-    );
+    let error = limits.start() * 20.0 / expected * 1000.0 - 1.0;
+    assert!(error.abs() < 1e-12, "{limits:?}");
 }
 
 #[test]

@@ -9,27 +9,24 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
 use shadetrade::questions::metrics::pixel_error;
+use shadetrade::shading::SquareKind;
 use shadetrade::shading::simd::{NAMES, name, named};
-use shadetrade::shading::{LIMIT_0, SquareKind};
 use shadetrade::systems;
 use shadetrade::systems::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
 
+use crate::stability::life::Bits;
 use crate::support::cases::{cases, values};
 use crate::support::random::Random;
 use crate::support::random_scene::case;
 use crate::support::scene::{
-    at, draw, empty, shine, spawn_cuboid, spawn_light, truth, view, white,
+    at, draw, empty, limit, shine, spawn_cuboid, spawn_light, truth, view, white,
 };
 
 /// The used share of the permitted error at every pixel in which both pictures show the same triangle, with the kind of
 /// its square. No share may exceed 1.
 #[track_caller]
 fn shares(world: &mut World, view: &View) -> Vec<(SquareKind, f64)> {
-    let limit = if view.tolerance > 0.0 {
-        view.tolerance
-    } else {
-        LIMIT_0
-    };
+    let limit = limit(view.tolerance);
     let [frame, shown] = [Keep::Levels, Keep::Display].map(|keep| draw(world, view, keep));
     let truth = truth(world, view);
     let pixels = frame.triangles().iter().zip(&truth.triangles).enumerate();
@@ -159,8 +156,7 @@ fn at_every_simd_level_the_power_of_a_highlight_is_near_the_model_and_counted_on
     let truth = truth(&world, &view);
     let mut first = None;
     for level in NAMES.into_iter().filter_map(named) {
-        let workers = Workers::new(1, level).expect("one thread");
-        let mut frame = Frame::new(Keep::Levels, workers);
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
         let counts = frame.counts();
         let highlights = counts.squares[SquareKind::Highlight as usize];
@@ -169,17 +165,9 @@ fn at_every_simd_level_the_power_of_a_highlight_is_near_the_model_and_counted_on
         for (found, exact) in frame.levels().iter().zip(&truth.levels) {
             assert!(pixel_error(*found, *exact) <= 4.0);
         }
-        let bits: Vec<_> = frame
-            .levels()
-            .iter()
-            .map(|it| it.map(f32::to_bits))
-            .collect();
-        assert_eq!(
-            *first.get_or_insert_with(|| bits.clone()),
-            bits,
-            "{}",
-            name(level)
-        );
+        let bits = Bits::of(&frame).levels;
+        let first = first.get_or_insert_with(|| bits.clone());
+        assert_eq!(*first, bits, "{}", name(level));
     }
     // Of two such highlights only one can be the fourth channel.
     shine(&mut world, LightKind::Specular, 255.0, light);
@@ -233,11 +221,9 @@ fn squares_drawn_together_may_each_have_the_terminator_of_another_light() {
     let place = DVec3::new(1e6, 0.0, -0.3e6);
     spawn_light(&mut world, LightKind::Diffuse, DVec3::Z * 200.0, place);
     view.size = [512, 32];
-    let shares = shares(&mut world, &view.with_tolerance(0.5));
-    let terminators = shares
-        .iter()
-        .filter(|(kind, _)| *kind == SquareKind::Terminator);
-    assert!(terminators.count() >= 512);
+    let mut shares = shares(&mut world, &view.with_tolerance(0.5));
+    shares.retain(|(kind, _)| *kind == SquareKind::Terminator);
+    assert!(shares.len() >= 512);
 }
 
 #[test]
@@ -292,12 +278,10 @@ fn every_channel_of_gouraud_keeps_the_tolerance_in_steep_perspective() {
         spawn_light(&mut world, LightKind::Diffuse, levels * 255.0, place);
         (view.projection, view.camera.fov) = (Projection::Perspective, 20.0);
         view.camera.target = DVec3::new(5.0, -12.0, 1.0);
+        view = view.shaded(ShadingMode::Gouraud).with_tolerance(0.5);
         for step in 0..40 {
             view.camera.position = DVec3::new(2.0 - 0.5 * f64::from(step), -12.0, 3.0);
-            shares(
-                &mut world,
-                &view.shaded(ShadingMode::Gouraud).with_tolerance(0.5),
-            );
+            shares(&mut world, &view);
         }
     }
 }

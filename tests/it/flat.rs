@@ -8,15 +8,18 @@
 //!  |. |. |. |. |            \ ____ /
 //! ```
 
+use std::collections::HashSet;
+
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::LightKind::Diffuse;
-use shadetrade::components::{Material, Projection, Segments, ShadingMode, View};
+use shadetrade::components::{
+    Material, NormalMode, Projection, Segments, ShadingMode, View, overwrite,
+};
 use shadetrade::systems::frame::Keep;
 
 use crate::prove::proof;
 use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, truth, turned, view, white};
-use shadetrade::components::{NormalMode, overwrite};
 
 /// Dull and white.
 const DULL: Material = Material {
@@ -30,6 +33,14 @@ fn worked(x: f64, y: f64) -> f64 {
     255.0 / (1.0 + x * x + y * y).sqrt()
 }
 
+/// A picture of flat shading from z = 5, so many units high.
+fn from_above(size: [usize; 2], height: f64) -> View {
+    let eye = DVec3::Z * 5.0;
+    let mut view = view(size, eye, DVec3::ZERO, Projection::Orthographic);
+    view.camera.height = height;
+    view.shaded(ShadingMode::Flat)
+}
+
 /// The face from -1 to 1, cut into `m` x `m` cuboids, from above.
 fn worked_face(m: usize) -> (World, View) {
     let mut world = empty();
@@ -41,14 +52,7 @@ fn worked_face(m: usize) -> (World, View) {
     }
     shine(&mut world, Diffuse, 255.0, DVec3::Z);
     overwrite(&mut world, &NormalMode::Face);
-    let mut view = view(
-        [512; 2],
-        DVec3::Z * 5.0,
-        DVec3::ZERO,
-        Projection::Orthographic,
-    );
-    view.camera.height = 2.0;
-    (world, view.shaded(ShadingMode::Flat))
+    (world, from_above([512; 2], 2.0))
 }
 
 #[test]
@@ -63,18 +67,14 @@ fn the_worked_face_errs_with_the_size_of_its_cells() {
                 |it: f64| ((it + 1.0) * m as f64 / 2.0).floor().mul_add(2.0, 1.0) / m as f64 - 1.0;
             let expected = worked(middle(x), middle(y));
             let [level, ..] = levels.map(f64::from);
-            assert!(
-                (level - expected).abs() < 1e-4,
-                "{level}, not {expected}, at {x}, {y}"
-            );
+            let is_known = (level - expected).abs() < 1e-4;
+            assert!(is_known, "{level}, not {expected}, at {x}, {y}");
             largest = largest.max((level - worked(x, y)).abs());
         }
         // One colour a cell: the slope of the worked face is at most 255 2 / sqrt 27, and half a diagonal is sqrt 2 / m.
         let known = 255.0 * (8.0_f64 / 27.0).sqrt() / m as f64;
-        assert!(
-            (0.85 * known..known).contains(&largest),
-            "{largest}, not {known}, of {m}"
-        );
+        let is_known = (0.85 * known..known).contains(&largest);
+        assert!(is_known, "{largest}, not {known}, of {m}");
     }
 }
 
@@ -86,23 +86,13 @@ fn a_prism_errs_by_801_levels_over_the_number_of_its_faces() {
         // Slabs through the axis: each has two faces of the prism.
         let size = DVec3::new(2.0 * (turn / 2.0).to_radians().tan(), 1.0, 2.0);
         for slab in 0..n / 2 {
-            spawn_cuboid(
-                &mut world,
-                size,
-                turned(DVec3::Y * turn * f64::from(slab)),
-                DULL,
-            );
+            let transform = turned(DVec3::Y * turn * f64::from(slab));
+            spawn_cuboid(&mut world, size, transform, DULL);
         }
         shine(&mut world, Diffuse, 255.0, DVec3::X * 1e15);
         overwrite(&mut world, &NormalMode::Face);
-        let mut view = view(
-            [4001, 3],
-            DVec3::Z * 5.0,
-            DVec3::ZERO,
-            Projection::Orthographic,
-        );
-        view.camera.height = 2.0 * 3.0 / 4001.0;
-        let frame = draw(&mut world, &view.shaded(ShadingMode::Flat), Keep::Levels);
+        let view = from_above([4001, 3], 2.0 * 3.0 / 4001.0);
+        let frame = draw(&mut world, &view, Keep::Levels);
         let mut largest = 0.0_f64;
         for (column, levels) in frame.levels()[4001..8002].iter().enumerate() {
             let x = (column as f64 + 0.5) / 4001.0 * 2.0 - 1.0;
@@ -115,10 +105,8 @@ fn a_prism_errs_by_801_levels_over_the_number_of_its_faces() {
             largest = largest.max((f64::from(levels[0]) - round).abs());
         }
         let known = 801.0 / f64::from(n);
-        assert!(
-            (largest - known).abs() < 0.03 * known,
-            "{largest}, not {known}"
-        );
+        let is_known = (largest - known).abs() < 0.03 * known;
+        assert!(is_known, "{largest}, not {known}");
     }
 }
 
@@ -126,33 +114,18 @@ fn a_prism_errs_by_801_levels_over_the_number_of_its_faces() {
 fn a_face_is_evaluated_once_and_neither_tolerance_nor_segments_change_it() {
     for normals in NormalMode::ALL {
         let mut world = empty();
-        spawn_cuboid(
-            &mut world,
-            DVec3::new(1.0, 2.0, 3.0),
-            turned(DVec3::new(20.0, 30.0, 0.0)),
-            white(20.0),
-        );
+        let (size, transform) = (DVec3::new(1.0, 2.0, 3.0), turned([20.0, 30.0, 0.0]));
+        spawn_cuboid(&mut world, size, transform, white(20.0));
         shine(&mut world, Diffuse, 200.0, DVec3::new(3.0, 2.0, 5.0));
         overwrite(&mut world, &normals);
-        let view = view(
-            [96, 72],
-            DVec3::Z * 9.0,
-            DVec3::ZERO,
-            Projection::Perspective,
-        );
+        let eye = DVec3::Z * 9.0;
+        let view = view([96, 72], eye, DVec3::ZERO, Projection::Perspective);
         let view = view.shaded(ShadingMode::Flat);
         let frame = draw(&mut world, &view, Keep::Levels);
         assert_eq!(frame.counts().model_evaluations, 3);
-        let colors = |levels: &[[f32; 3]]| {
-            let mut colors = levels
-                .iter()
-                .map(|it| it.map(f32::to_bits))
-                .collect::<Vec<_>>();
-            colors.sort_unstable();
-            colors.dedup();
-            colors.len()
-        };
-        assert_eq!(colors(frame.levels()), 4, "three faces and the background");
+        let colors = frame.levels().iter().map(|it| it.map(f32::to_bits));
+        let colors: HashSet<_> = colors.collect();
+        assert_eq!(colors.len(), 4, "three faces and the background");
         let other = View {
             segments: Segments::new(7),
             ..view.with_tolerance(4.0)

@@ -8,8 +8,7 @@ use hecs::World;
 use shadetrade::components::{
     LightKind, Material, NormalMode, Projection, Segments, ShadingMode, TriangleId, View, overwrite,
 };
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
+use shadetrade::output::{Monitor, finished};
 use shadetrade::reference::{Sample, in_row, picture};
 
 use crate::support::scene::{self, at, empty, shine, spawn_cuboid, truth, view};
@@ -147,12 +146,8 @@ fn a_light_exactly_at_the_point_has_no_direction() {
 fn mixed_scene() -> (World, View) {
     let mut world = empty();
     let size = DVec3::new(4.0, 3.0, 2.0);
-    spawn_cuboid(
-        &mut world,
-        size,
-        scene::turned([30.0, 40.0, 50.0]),
-        MATERIAL,
-    );
+    let transform = scene::turned([30.0, 40.0, 50.0]);
+    spawn_cuboid(&mut world, size, transform, MATERIAL);
     let place = at(DVec3::new(1.0, 0.0, 2.0));
     spawn_cuboid(&mut world, DVec3::new(0.5, 8.0, 0.5), place, MATERIAL);
     // Lights at one position share l in the reference; these do not.
@@ -183,17 +178,13 @@ fn a_single_pixel_equals_that_of_the_picture_and_its_terms_add_up() {
             assert_eq!(phong.triangles[pixel], TriangleId::NONE);
             continue;
         };
-        assert_eq!(
-            TriangleId::new(seen.object as u32, seen.triangle),
-            phong.triangles[pixel]
-        );
+        let triangle = TriangleId::new(seen.object as u32, seen.triangle);
+        assert_eq!(triangle, phong.triangles[pixel]);
         let levels = [seen.gouraud.to_array(), seen.phong.to_array()];
         assert_eq!(levels, [gouraud.levels[pixel], phong.levels[pixel]]);
         assert_close(seen.lights.iter().map(|it| it.phong.x).sum(), seen.phong.x);
-        assert_close(
-            seen.lights.iter().map(|it| it.gouraud.x).sum(),
-            seen.gouraud.x,
-        );
+        let gouraud = seen.lights.iter().map(|it| it.gouraud.x);
+        assert_close(gouraud.sum(), seen.gouraud.x);
         for light in &seen.lights {
             let is_ambient = light.kind == LightKind::Ambient;
             for vector in [light.to_light, light.reflected] {
@@ -243,10 +234,8 @@ fn assert_levels(world: &World, segments: u32, points: &[([i32; 2], f64)]) {
         let truth = truth(world, &view);
         for &([x, y], level) in points {
             let [found, ..] = truth.levels[((2 - y) * 5 + 2 + x) as usize];
-            assert!(
-                (found - level).abs() < 1e-9,
-                "{found} at {x}, {y}, not {level}, of {segments}"
-            );
+            let is_known = (found - level).abs() < 1e-9;
+            assert!(is_known, "{found} at {x}, {y}, not {level}, of {segments}");
         }
     }
 }
@@ -259,11 +248,7 @@ fn two_cells_along_an_edge_find_the_light_above_the_middle_of_a_face() {
     overwrite(&mut world, &NormalMode::Face);
     shine(&mut world, LightKind::Diffuse, 90.0, DVec3::Z * 4.0);
     let [edge, corner] = [2.0_f64, 3.0].map(|square| 90.0 / square.sqrt());
-    assert_levels(
-        &world,
-        1,
-        &[([0, 0], corner), ([1, 0], corner), ([1, -1], corner)],
-    );
+    assert_levels(&world, 1, &[[0, 0], [1, 0], [1, -1]].map(|at| (at, corner)));
     let points = [
         ([0, 0], 90.0),
         ([1, 0], edge.midpoint(90.0)),

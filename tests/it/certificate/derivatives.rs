@@ -78,9 +78,8 @@ fn places() -> impl Iterator<Item = [f64; 2]> {
 /// A lower bound of the interpolation error of a square, from third derivatives at some of its points.
 fn error(f: impl Fn([f64; 2], usize) -> Taylor) -> f64 {
     let third = |axis| {
-        places()
-            .map(|place| 6.0 * f(place, axis)[3].abs())
-            .fold(0.0, f64::max)
+        let all = places().map(|place| 6.0 * f(place, axis)[3].abs());
+        all.fold(0.0, f64::max)
     };
     let [x, y] = [third(0), third(1)];
     (x + y + x.min(y) * (2.0 / 3.0)) / 24.0
@@ -176,16 +175,10 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             continue;
         };
         let cosine = error(|place, axis| dot(&unit(&n, place, axis), &unit(&l, place, axis)));
-        keep(
-            &mut lit,
-            cosine,
-            cosine_error(&normal, &light).as_array()[0],
-        );
-        let (direction, turn) = (
-            bound::direction(light.rates[0]),
-            bound::half_turn(normal.rates[0]),
-        );
-        let bounds = bound::product(direction, turn);
+        let bound = cosine_error(&normal, &light).as_array()[0];
+        keep(&mut lit, cosine, bound);
+        let direction = bound::direction(light.rates[0]);
+        let bounds = bound::product(direction, bound::half_turn(normal.rates[0]));
         for place in places() {
             let [n, l] = [&n, &l].map(|vector| unit(vector, place, 0));
             let twice = dot(&n, &l).map(|it| 2.0 * it);
@@ -222,10 +215,8 @@ fn no_third_derivative_of_a_cosine_or_a_highlight_exceeds_its_bound() {
             keep(&mut logarithms, found, bound.as_array()[0]);
         }
     }
-    println!(
-        "largest shares of the bounds: {lit:.3} for n.l, {shares:.3?} for s^rho, {logarithms:.3} for its logarithm"
-    );
     let found = [&shares[..], &[lit, reflected, logarithms]].concat();
+    println!("largest shares of the bounds: {found:.3?}");
     let is_tight = found.iter().all(|share| *share > 0.5);
     assert!(is_tight, "too loose to show a mistake: {found:?}");
 }

@@ -35,6 +35,10 @@ fn cuboid() -> impl Strategy<Value = (WorldTransform, DVec3)> {
     })
 }
 
+fn upper_face<'a>(cuboid: &WorldTransform, edges: DVec3, rays: &'a Rays) -> Face<'a> {
+    Face::new(&Plane::new(2, cuboid, edges, rays), cuboid, edges, rays)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -66,11 +70,11 @@ proptest! {
         // Pixels as coarse as a face allows that is just steady at the edge.
         let fine = lens(1e-4);
         let rays = Rays::new(&fine);
-        let face = Face::new(&Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
+        let face = upper_face(&cuboid, edges, &rays);
         let Some([x, y]) = pixel(&fine, &face) else { return Ok(()) };
         let lens = lens(1e-4 * coarser * face.uvw.at(x, y).z / face.least_steady());
         let rays = Rays::new(&lens);
-        let face = Face::new(&Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
+        let face = upper_face(&cuboid, edges, &rays);
         let Some([x, y]) = pixel(&lens, &face) else { return Ok(()) };
         // Snapping moves a vertex, and so an edge, by at most 1/512 pixel.
         let place = face.uvw.at(x + aside[0] / 512.0, y + aside[1] / 512.0);
@@ -99,7 +103,7 @@ proptest! {
             ..Lens::default()
         };
         let rays = Rays::new(&lens);
-        let face = Face::new(&Plane::new(2, &cuboid, edges, &rays), &cuboid, edges, &rays);
+        let face = upper_face(&cuboid, edges, &rays);
         let simd = baseline();
         let lanes = |place: [f64; 2]| place.map(|number| f64x4::splat(simd, number));
         let extents = Extents { middle: lanes(middle), half: lanes(half) };
@@ -170,12 +174,7 @@ fn beside_a_sliver_a_pixel_shows_its_far_end_if_a_snap_reaches_it() {
             position: DVec3::new(aside, -1.0 - 30e-3 / 1024.0, -20.0),
             axes: DMat3::IDENTITY,
         };
-        let face = Face::new(
-            &Plane::new(2, &place, DVec3::new(1.0, 1.0, 10.0), &rays),
-            &place,
-            DVec3::new(1.0, 1.0, 10.0),
-            &rays,
-        );
+        let face = upper_face(&place, DVec3::new(1.0, 1.0, 10.0), &rays);
         let (found, _) = face.uv_at(x, y / 1024.0);
         let error = [0, 1].map(|axis| (found[axis] - expected[axis]).abs());
         assert!(error[0].max(error[1]) < 1e-9, "{found:?}, {expected:?}");

@@ -5,7 +5,6 @@ use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
 use shadetrade::shading::SquareKind;
@@ -13,7 +12,7 @@ use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::is_full;
-use crate::support::scene::{at, draw, empty, placed, shine, spawn_cuboid, view};
+use crate::support::scene::{at, done, draw, empty, placed, shine, spawn_cuboid, view};
 
 const MATERIAL: Material = Material {
     ambient: DVec3::splat(0.3),
@@ -61,15 +60,8 @@ fn light_all(world: &mut World, place: DVec3) {
 
 /// Asserts that every pixel of a view is proven at both tolerances, and that at least this many show a cuboid.
 fn assert_proven(world: &mut World, view: &View, least: u64) {
-    let proofs = finished(prove_at(
-        TOLERANCES,
-        world,
-        view,
-        None,
-        Level::new(),
-        Monitor::NONE,
-    ));
-    let proofs = proofs.expect("a small picture fits");
+    let (level, monitor) = (Level::new(), Monitor::NONE);
+    let proofs = done(prove_at(TOLERANCES, world, view, None, level, monitor));
     assert_eq!(proofs.each_ref().map(|proof| proof.limit), [0.05, 0.5]);
     for proof in proofs {
         let open = (proof.refuted, proof.undecided);

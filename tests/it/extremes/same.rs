@@ -22,10 +22,8 @@ fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>),
     assert_eq!(plain.1.len(), extreme.1.len());
     for (view, other) in plain.1.iter().zip(&extreme.1) {
         let expected = Bits::of(&draw(&mut plain.0, view, Keep::Levels));
-        let seen = expected
-            .triangles
-            .iter()
-            .filter(|id| **id != TriangleId::NONE);
+        let ids = expected.triangles.iter();
+        let seen = ids.filter(|id| **id != TriangleId::NONE);
         assert!(seen.count() > 100, "{what}");
         let found = Bits::of(&draw(&mut extreme.0, other, Keep::Levels));
         assert!(found == expected, "{what}, {other:?}");

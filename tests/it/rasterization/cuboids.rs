@@ -6,13 +6,11 @@ use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
 use shadetrade::components::{LightKind, Mesh, Projected, Projection, Segments, ShadingMode, View};
-use shadetrade::output::Monitor;
-use shadetrade::output::finished;
-use shadetrade::questions::prove::prove;
 use shadetrade::systems;
 use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::counting::count;
+use crate::prove::proof;
 use crate::stability::life::Bits;
 use crate::support::cases::cases;
 use crate::support::random::Random;
@@ -157,8 +155,7 @@ fn no_pixel_of_any_cuboid_is_refuted() {
             let mode = ShadingMode::ALL[case % 3];
             let mut view = view.shaded(mode).with_tolerance(0.5);
             view.segments = Segments::new([1, 2, 9, 100][case / 2 % 4]);
-            let proof = finished(prove(&mut world, &view, None, Level::new(), Monitor::NONE))
-                .expect("it is not cancelled");
+            let proof = proof(&mut world, &view);
             assert_eq!(proof.refuted, 0, "{view:?}: {:?}", proof.examples);
         }
     }

@@ -14,10 +14,8 @@ use crate::support::scene::{draw, placed, spawn_cuboid, view, white};
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 
 fn frame(keep: Keep, threads: usize, level: Level) -> Frame {
-    Frame::new(
-        keep,
-        Workers::new(threads, level).expect("the system gives threads"),
-    )
+    let workers = Workers::new(threads, level).expect("the system gives threads");
+    Frame::new(keep, workers)
 }
 
 /// Asserts that a picture has the same bits and counts with any number of threads, and that at least this many pixels show

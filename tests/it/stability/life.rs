@@ -16,12 +16,7 @@ pub fn still_life(count: usize) -> World {
     let cuboids = [
         ([4.0, 3.0, 2.0], [0.0; 3], [10.0, 20.0, 30.0], 76.8),
         ([0.5, 9.0, 0.5], [1.0, 0.5, 0.5], [0.0, 0.0, -60.0], 9.0),
-        (
-            [3.0, 0.125, 3.0],
-            [-1.0, 1.0, 0.75],
-            [45.0, 0.0, 0.0],
-            1000.0,
-        ),
+        ([3.0, 0.125, 3.0], [-1.0, 1.0, 0.75], [45.0, 0.0, 0.0], 1e3),
     ];
     for (size, position, rotation, shininess) in cuboids.into_iter().take(count) {
         let material = Material {

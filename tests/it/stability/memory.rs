@@ -17,9 +17,7 @@ fn a_warm_frame_on_one_thread_allocates_nothing() {
     for keep in [Keep::Display, Keep::Levels] {
         for cuboids in [1, 3] {
             let mut world = still_life(cuboids);
-            let workers = Workers::new(1, Level::new()).expect("one thread is always there");
-            assert_eq!(workers.threads(), 1);
-            let mut frame = Frame::new(keep, workers);
+            let mut frame = Frame::new(keep, Workers::alone(Level::new()));
             let views = views([160, 120]);
             // The first frame of each mode allocates the memory that is kept for later ones.
             for view in &views {
@@ -58,11 +56,12 @@ fn a_warm_frame_on_several_threads_allocates_nothing() {
 #[test]
 fn a_picture_that_memory_cannot_hold_names_its_bytes() {
     // Pixels take 4 bytes, levels 12, kinds 1 and triangles 4.
+    let (display, levels) = (Keep::Display, Keep::Levels);
     for (keep, cuboids, bytes) in [
-        (Keep::Display, 1, 4),
-        (Keep::Display, 2, 8),
-        (Keep::Levels, 1, 17),
-        (Keep::Levels, 2, 17),
+        (display, 1, 4),
+        (display, 2, 8),
+        (levels, 1, 17),
+        (levels, 2, 17),
     ] {
         let mut frame = Frame::new(keep, Workers::alone(Level::new()));
         let view = views([1 << 20, 1 << 20]).swap_remove(0);
@@ -100,9 +99,8 @@ fn saving_a_picture_allocates_its_bytes_and_the_file() {
     let output = Output::File(folder.path().join("a.png"));
     let size = [1000, 2000];
     // Noise, which cannot be compressed.
-    let pixels: Vec<u32> = (0..2_000_000_u32)
-        .map(|pixel| pixel.wrapping_mul(0x9e37_79b9) >> 8)
-        .collect();
+    let noise = |pixel: u32| pixel.wrapping_mul(0x9e37_79b9) >> 8;
+    let pixels: Vec<u32> = (0..2_000_000).map(noise).collect();
     let taken = measure(|| output.write_png(&pixels, size).expect("written"));
     let bytes = 3 * pixels.len() as u64;
     assert!(taken.bytes_max < 6 * bytes, "{taken:?} for {bytes}");

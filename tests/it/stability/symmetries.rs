@@ -36,11 +36,8 @@ fn the_order_of_cuboids_changes_no_bit() {
             order.0 = last - order.0;
         }
         let mut second = Bits::of(&draw(&mut world, &view, Keep::Levels));
-        for id in second
-            .triangles
-            .iter_mut()
-            .filter(|id| **id != TriangleId::NONE)
-        {
+        let ids = second.triangles.iter_mut();
+        for id in ids.filter(|id| **id != TriangleId::NONE) {
             // The depths of random cuboids do not tie.
             *id = TriangleId::new(last - id.cuboid(), id.triangle());
         }

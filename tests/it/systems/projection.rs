@@ -8,7 +8,7 @@ use shadetrade::systems::projection;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};
 use crate::support::random::Random;
-use crate::support::scene::{draw, spawn_cuboid};
+use crate::support::scene::{draw, placed, spawn_cuboid};
 
 /// Face +z: corners 4, 5, 7 and 6.
 const FRONT: usize = 4;
@@ -127,13 +127,13 @@ fn a_face_is_drawn_everywhere_even_if_its_visible_part_is_tiny() {
                 let camera = &mut view.camera;
                 (camera.target, camera.fov, camera.height) = (target, least, least);
                 let mut world = World::new();
-                let mut transform = turned(rotation);
-                transform.position = DVec3::splat(0.1);
+                let transform = placed(DVec3::splat(0.1), rotation);
                 spawn_cuboid(&mut world, DVec3::splat(2.0), transform, MATERIAL);
-                let covered = draw(&mut world, &view, Keep::Levels)
-                    .counts()
-                    .covered_pixels;
-                assert_eq!(covered, 600, "{projection:?}, {least}, {rotation}");
+                let counts = draw(&mut world, &view, Keep::Levels).counts();
+                assert_eq!(
+                    counts.covered_pixels, 600,
+                    "{projection:?}, {least}, {rotation}"
+                );
             }
         }
     }

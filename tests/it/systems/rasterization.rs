@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use hecs::{Entity, World};
 use shadetrade::components::{
-    FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, TriangleId,
-    VertexColors, View, ordered,
+    FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, TriangleId, View,
+    ordered,
 };
 use shadetrade::shading::SquareKind;
 use shadetrade::systems::frame::{Frame, Keep, SQUARE_EDGE};
@@ -67,9 +67,8 @@ fn the_nearer_cuboid_is_visible_and_at_equal_depth_the_one_earlier_in_the_file()
             let mut world = World::new();
             for (spawned, (z, order)) in places.into_iter().zip(orders).enumerate() {
                 let cube = flat_cube(&mut world, DVec3::Z * z, 50.0 + 50.0 * spawned as f64);
-                world
-                    .insert_one(cube, FileOrder(order))
-                    .expect("it was spawned");
+                let inserted = world.insert_one(cube, FileOrder(order));
+                inserted.expect("it was spawned");
             }
             world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1.0)));
             let frame = draw(&mut world, &ahead(projection, [9, 9]));
@@ -98,30 +97,6 @@ fn extra_components_do_not_change_a_picture() {
 }
 
 #[test]
-fn gouraud_draws_the_vertex_colours() {
-    // The front face is nine units away.
-    for (projection, pitch) in PROJECTIONS.into_iter().zip([0.09, 0.1]) {
-        let view = ahead(projection, [300, 200]).shaded(ShadingMode::Gouraud);
-        let mut world = World::new();
-        flat_cube(&mut world, DVec3::ZERO, 50.0);
-        let mut frame = draw(&mut world, &view);
-        assert!(frame.levels().iter().all(|levels| levels[0] == 0.0), "dark");
-        // The bottom has 0 levels, the top 100.
-        for colors in world.query_mut::<&mut VertexColors>() {
-            let level = |corner: usize| DVec3::X * [0.0, 100.0][corner >> 1 & 1];
-            *colors = VertexColors::Corner(std::array::from_fn(level));
-        }
-        rasterization::run(&mut world, &view, &mut frame);
-        let drawn = frame.levels().iter().zip(frame.triangles()).enumerate();
-        for (index, (levels, _)) in drawn.filter(|(_, (_, id))| **id != TriangleId::NONE) {
-            let y = (100.0 - (index / 300) as f64 - 0.5) * pitch;
-            let error = f64::from(levels[0]) - 100.0 * (y + 1.0) / 2.0;
-            assert!(error.abs() < 0.05, "{projection:?}: {error} at {index}");
-        }
-    }
-}
-
-#[test]
 fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_level() {
     // A rounding error is 2^-24. Gouraud counts 80 of them. Ambient light under Phong counts six: two of the sum, one
     // of its term and three of the display step.
@@ -138,10 +113,8 @@ fn levels_are_evaluated_in_f64_where_roundings_of_f32_reach_a_twentieth_of_a_lev
                 flat_cube(&mut world, DVec3::ZERO, share * edge);
                 world.spawn((at(DVec3::ZERO), light(LightKind::Ambient, 1.0)));
                 shine(&mut world, LightKind::Specular, faint, DVec3::Z * 50.0);
-                let frame = draw(
-                    &mut world,
-                    &ahead(Projection::Orthographic, size).shaded(mode),
-                );
+                let view = ahead(Projection::Orthographic, size).shaded(mode);
+                let frame = draw(&mut world, &view);
                 let drawn = frame.triangles().iter().zip(frame.kinds());
                 for (_, kind) in drawn.filter(|(id, _)| **id != TriangleId::NONE) {
                     let kind = SquareKind::ALL[usize::from(kind & !SQUARE_EDGE)];
@@ -218,10 +191,8 @@ fn of_coplanar_faces_the_cuboid_earlier_in_the_file_is_visible_despite_rounding(
             }
             let front = TriangleId::new(order, 8).face_id();
             let count = |ids: &[TriangleId]| ids.iter().filter(|id| id.face_id() == front).count();
-            [
-                count(draw(&mut world, &view).triangles()),
-                count(&truth(&world, &view).triangles),
-            ]
+            let drawn = draw(&mut world, &view);
+            [drawn.triangles(), &truth(&world, &view).triangles].map(count)
         };
         let alone = seen(&[3.0], 0);
         assert!(alone[0] > 100, "{projection:?}: {alone:?}");
@@ -278,11 +249,8 @@ fn beyond_its_corners_a_face_is_as_deep_as_its_outermost_corner() {
         let vertices = polygons.flat_map(|it| &mut it.vertices);
         vertices.for_each(|[x, _]| *x = moved(*x));
         rasterization::run(&mut world, &view, &mut frame);
-        frame
-            .triangles()
-            .iter()
-            .filter(|id| id.cuboid() == 0)
-            .count()
+        let ids = frame.triangles().iter();
+        ids.filter(|id| id.cuboid() == 0).count()
     };
     for projection in PROJECTIONS {
         // A fifth wider than they are: their planes would continue behind the wall.

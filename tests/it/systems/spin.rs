@@ -1,11 +1,11 @@
 //! Spin: the placement of cuboids after they have turned.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat};
 use hecs::World;
 use shadetrade::components::{Projection, Transform, View, WorldTransform};
 use shadetrade::systems::spin;
 
-use super::{ahead, at, empty_frame, place, read};
+use super::{ahead, empty_frame, place, read};
 use crate::support::random::Random;
 use crate::support::scene;
 
@@ -34,17 +34,4 @@ fn a_spin_is_a_rotation_about_x_before_the_scene_s_own() {
         assert!(is_right, "{transform:?} by {degrees}");
         assert!(placed == place(transform) || degrees > 0, "{transform:?}");
     }
-}
-
-#[test]
-fn an_entity_without_transform_or_placement_is_not_changed() {
-    let mut world = World::new();
-    let placed = place(at(DVec3::ONE));
-    let without_transform = world.spawn((placed,));
-    let without_place = world.spawn((at(DVec3::Y),));
-    let view = ahead(Projection::Perspective, [8, 8]);
-    spin::run(&mut world, &view, &mut empty_frame());
-    assert_eq!(read::<WorldTransform>(&world, without_transform), placed);
-    assert_eq!(read::<Transform>(&world, without_place), at(DVec3::Y));
-    assert!(!world.satisfies::<&WorldTransform>(without_place));
 }
