@@ -230,10 +230,9 @@ pub fn highlight_error<S: Simd>(
     // s^(rho-k) <= most^rho / base^k. The base is the largest s if no exponent is negative (rho >= 3), else the least.
     let base = if rho >= 3.0 { most } else { least };
     let over = 1.0 / base;
-    let peaks = two!(|index| f64x4::splat(simd, gloss.peaks[index]));
     let a = power * over * rho;
-    let b = (power * over * over * sine).min(peaks[0]) * (3.0 * second);
-    let d = (power * over * over * over * sine * sine * sine).min(peaks[1]) * third;
+    let b = power * over * over * sine * (3.0 * second);
+    let d = power * over * over * over * sine * sine * sine * third;
     // From rho = 2 on the two have opposite signs.
     let cubes = if rho >= 2.0 { b.max(d) } else { b + d };
     let errors = error_from(vectors, reflection.chord(), [a, b, cubes]);

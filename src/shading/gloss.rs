@@ -22,8 +22,6 @@ pub struct Gloss {
     pub shininess: f32,
     /// rho, rho (rho - 1) and rho (rho - 1) (rho - 2), absolute.
     pub(super) factors: [f64; 3],
-    /// The largest s^(rho-2) sin and s^(rho-3) sin^3 at any angle; infinite where there is none.
-    pub(super) peaks: [f64; 2],
     /// A highlight is too faint to be drawn unless its s exceeds this.
     pub drawn_above: f64,
     /// The error of one highlight that is not drawn, in levels.
@@ -51,14 +49,6 @@ impl Gloss {
             // Another libm may differ in the last bit, so pictures may differ from machine to machine.
             (faint / brightest).powf(1.0 / shininess)
         };
-        // The largest s^k sin^j: at tan^2 = j / k.
-        let peak = |k: f64, j: f64| {
-            if k >= 0.0 {
-                (k / (k + j)).powf(k / 2.0) * (j / (k + j)).powf(j / 2.0)
-            } else {
-                f64::INFINITY
-            }
-        };
         let second = (shininess * (shininess - 1.0)).abs();
         let is_steep = shininess > 0.0 && shininess < 1.0;
         Gloss {
@@ -68,7 +58,6 @@ impl Gloss {
                 0.0
             },
             factors: [shininess, second, second * (shininess - 2.0).abs()],
-            peaks: [peak(shininess - 2.0, 1.0), peak(shininess - 3.0, 3.0)],
             drawn_above,
             faint,
             doubt: if is_steep { DOUBT as f32 } else { 0.0 },

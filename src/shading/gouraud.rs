@@ -15,7 +15,7 @@ use super::bound;
 use super::face::{Face, OVERSHOOT};
 use super::grid::{Grid, LinearCells};
 use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
-use super::lanes::{LaneLayout, SquareSet, has};
+use super::lanes::{SquareSet, affine_at, has};
 use super::moving::{Extents, single};
 use super::{U, limit};
 use crate::shading::simd::{four, inlined, outlined, three, two};
@@ -186,24 +186,24 @@ impl<'a> Gouraud<'a> {
         let is_cut = meets[0] & meets[1] | mask64x4::from_bitmask(simd, cells.looked_up);
         let rest = splat(self.tolerance) - error - cells.error - rounding * AMPLIFICATION;
         let rest = (bounded & !is_cut).select(rest, splat(-1.0));
-        let sample = inlined!(|xy| {
-            let [red, green, blue] = self.levels(simd, LaneLayout::Nodes, xy);
+        let sample = inlined!(|square, xy| {
+            let [red, green, blue] = self.levels(simd, square, xy);
             [red, green, blue, f32x16::splat(simd, 0.0)]
         });
-        let terms = sampled(simd, sample);
+        let terms = sampled(simd, rest.simd_gt(0.0).to_bitmask(), sample);
         Some(Interpolant::new(terms, [[0.0; 3]; 4], 0, rest))
     }
 
-    /// w C / w at points of squares, x and y from -1 to 1.
+    /// w C / w at points of a square, x and y from -1 to 1.
     #[inline(always)]
-    pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let affine = inlined!(|of: &Affine<[f32; 4]>| at.affine(of, xy));
+    pub fn levels<S: Simd>(&self, simd: S, square: usize, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
+        let affine = inlined!(|of: &Affine<[f32; 4]>| affine_at(of, square, xy));
         let inverse = 1.0 / affine(&self.w_by_square);
         let [first, second] = &self.colors_by_square;
-        if !at.any(self.meets[1]) {
+        if !has(self.meets[1], square) {
             return three!(|channel| affine(&first[channel]) * inverse);
         }
-        if !at.any(self.meets[0]) {
+        if !has(self.meets[0], square) {
             return three!(|channel| affine(&second[channel]) * inverse);
         }
         let is_first = affine(&self.diagonal_by_square).simd_ge(f32x16::splat(simd, 0.0));
@@ -212,23 +212,22 @@ impl<'a> Gouraud<'a> {
         })
     }
 
-    /// The levels at points of the square at `index`, if it lies in several cells of a grid.
+    /// The levels at points of a square, if it lies in several cells of a grid.
     #[inline(always)]
     pub fn look_up<S: Simd>(
         &self,
         simd: S,
-        index: usize,
+        square: usize,
     ) -> Option<impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 3]> {
         let Source::Grid(grid, squares) = &self.source else {
             return None;
         };
-        let at = LaneLayout::Pixels(index);
         let levels = inlined!(move |xy| {
-            let inverse = 1.0 / at.affine(&self.w_by_square, xy);
-            let places = two!(|axis| at.affine(&squares.places[axis], xy) * inverse);
-            grid.levels(simd, squares.origins[index], places)
+            let inverse = 1.0 / affine_at(&self.w_by_square, square, xy);
+            let places = two!(|axis| affine_at(&squares.places[axis], square, xy) * inverse);
+            grid.levels(simd, squares.origins[square], places)
         });
-        has(squares.looked_up, index).then_some(levels)
+        has(squares.looked_up, square).then_some(levels)
     }
 
     /// See [`super::Shader::levels_f64`].

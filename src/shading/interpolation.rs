@@ -20,7 +20,7 @@ use super::lanes::{SquareSet, has};
 use super::rows::{LinearRows, QuadraticRows};
 use super::square::Square;
 use super::{SquareKind, U};
-use crate::shading::simd::{four, three};
+use crate::shading::simd::{four, inlined, three};
 
 /// The outer node of three.
 pub const NODE: f64 = 0.866_025_403_784_438_6;
@@ -56,23 +56,35 @@ pub fn biquadratic<S: Simd>(samples: &[[f64x4<S>; 3]; 3]) -> Biquadratic<f64x4<S
     three!(|j| three!(|i| columns[i][j]))
 }
 
-/// The biquadratics through samples at the nodes; a sample has the lanes of [`super::lanes::LaneLayout::Nodes`].
+/// The biquadratics through samples at the nodes of some of the squares; 0 on the others.
 #[inline(always)]
 pub fn sampled<S: Simd>(
     simd: S,
-    sample: impl Fn([f32x16<S>; 2]) -> [f32x16<S>; 4],
+    squares: SquareSet,
+    sample: impl Fn(usize, [f32x16<S>; 2]) -> [f32x16<S>; 4],
 ) -> SquareColor<f64x4<S>> {
-    // Lanes by node and square; the last four are not used.
-    let nodes = [-NODE as f32, 0.0, NODE as f32, 0.0];
-    let x = f32x16::from_fn(simd, |lane| nodes[lane / 4]);
-    let rows = three!(|row| sample([x, f32x16::splat(simd, nodes[row])]));
-    four!(|channel| {
-        let samples = three!(|row| three!(|column| {
-            let lanes = rows[row][channel].as_array();
-            f64x4::from_fn(simd, |square| f64::from(lanes[4 * column + square]))
-        }));
-        biquadratic(&samples)
-    })
+    // Row by row, in nine of the lanes.
+    let node = inlined!(|index: usize| [-NODE as f32, 0.0, NODE as f32][index % 3]);
+    let x = f32x16::from_fn(simd, node);
+    let y = f32x16::from_fn(simd, inlined!(|lane: usize| node(lane / 3)));
+    // By channel, node and square.
+    let mut samples = [[[0.0_f32; 4]; 9]; 4];
+    for square in (0..4).filter(|square| has(squares, *square)) {
+        let channels = sample(square, [x, y]);
+        for channel in 0..4 {
+            let lanes = channels[channel].as_array();
+            for node in 0..9 {
+                samples[channel][node][square] = lanes[node];
+            }
+        }
+    }
+    let at = inlined!(|channel: usize, node: usize| {
+        f64x4::from_fn(simd, |square| f64::from(samples[channel][node][square]))
+    });
+    four!(|channel| biquadratic(&three!(|row| three!(|column| at(
+        channel,
+        3 * row + column
+    )))))
 }
 
 /// The rounding error of a value in a row, relative to the sum of the sizes of its terms:

@@ -38,6 +38,16 @@ impl<S: Simd> Extents<S> {
         }
     }
 
+    /// Those of one square, four times.
+    #[inline(always)]
+    pub fn of_one(simd: S, square: &Square, lens: &Lens) -> Self {
+        let (middle, half) = (square.middle(), square.half());
+        Extents {
+            middle: two!(|axis| f64x4::splat(simd, middle[axis] - lens.middle[axis])),
+            half: two!(|axis| f64x4::splat(simd, half[axis])),
+        }
+    }
+
     /// Numbers that are affine in the pixel, each on its square.
     #[inline(always)]
     pub fn affine_each(&self, numbers: &[Affine<f64>; 4]) -> Affine<f64x4<S>> {

@@ -15,9 +15,8 @@
 //! rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
 //! again in f64. Without these marks the whole square would be evaluated in f64.
 //!
-//! All decisions depend on the face and on the four squares that are prepared together. A bound of one does not depend on the
-//! other three, but its samples do: if a highlight is drawn in any of the four, normals are normalised in all, and f32 may be
-//! doubted in all. The grid says which four belong together, so neither threads nor parts of a picture change a decision.
+//! All decisions depend on the face and on the square, but for the number of pixels from which bounds are computed: that counts
+//! four squares. The grid says which four belong together, so neither threads nor parts of a picture change a decision.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
@@ -28,7 +27,7 @@ use super::bound::{self, Reflection};
 use super::face::Face;
 use super::gloss::Gloss;
 use super::interpolation::{AMPLIFICATION, FOURTH, Interpolant, sampled};
-use super::lanes::{LaneLayout, SquareSet, dot, has};
+use super::lanes::{SquareSet, affine_at, dot, has};
 use super::moving::{Extents, MovingVector};
 use super::rounding::Rounding;
 use super::specular::{self, POWER_ERROR};
@@ -164,11 +163,12 @@ impl<'a> Phong<'a> {
         interpolate: bool,
     ) -> Option<Interpolant<S>> {
         let rest = self.classify(extents, interpolate);
-        if !interpolate || !rest.simd_gt(0.0).any_true() {
+        let possible = rest.simd_gt(0.0).to_bitmask();
+        if !interpolate || possible == 0 {
             return None;
         }
-        let sample = inlined!(|xy| self.levels(simd, LaneLayout::Nodes, xy));
-        let terms = sampled(simd, sample);
+        let sample = inlined!(|square, xy| self.levels(simd, square, true, xy));
+        let terms = sampled(simd, possible, sample);
         let (mut factors, mut logarithms) = ([[0.0; 3]; 4], 0);
         for light in self.lights.iter() {
             for square in (0..4).filter(|square| has(light.fourth, *square)) {
@@ -255,63 +255,67 @@ impl<'a> Phong<'a> {
         bounded.select(rest - rounding * AMPLIFICATION, splat(-1.0))
     }
 
-    /// The levels at points of squares, x and y from -1 to 1; and at nodes the fourth channel, whose light is left out of them.
+    /// The levels at points of a square, x and y from -1 to 1; and at nodes the fourth channel, whose light is left out of them.
     #[inline(always)]
-    pub fn levels<S: Simd>(&self, simd: S, at: LaneLayout, xy: [f32x16<S>; 2]) -> [f32x16<S>; 4] {
+    pub fn levels<S: Simd>(
+        &self,
+        simd: S,
+        square: usize,
+        are_nodes: bool,
+        xy: [f32x16<S>; 2],
+    ) -> [f32x16<S>; 4] {
         let zero = f32x16::splat(simd, 0.0);
-        let vector = inlined!(|of: &[Affine<[f32; 4]>; 3]| three!(|axis| at.affine(&of[axis], xy)));
+        let vector = inlined!(|of: &[Affine<[f32; 4]>; 3]| {
+            three!(|axis| affine_at(&of[axis], square, xy))
+        });
         let unit = inlined!(|vector: [f32x16<S>; 3]| {
             let inverse = 1.0 / dot(&vector, &vector).sqrt();
             three!(|axis| vector[axis] * inverse)
         });
         let normal = vector(&self.normal_by_square);
         // Only highlights need unit vectors. Without them n.l takes one root, and exact frames 5 % less time.
-        let (n, o, n2) = if at.any(self.shines) {
+        let (n, o, n2) = if has(self.shines, square) {
             (unit(normal), unit(vector(&self.eye_by_square)), zero + 1.0)
         } else {
             (normal, normal, dot(&normal, &normal))
         };
         let [red, green, blue] = three!(|channel| f32x16::splat(simd, self.ambient[channel]));
         let mut levels = [red, green, blue, zero];
-        // At nodes, one light of a square may be the fourth channel.
-        let fourth = |light: &FaceLight| match at {
-            LaneLayout::Nodes => light.fourth,
-            LaneLayout::Pixels(_) => 0,
-        };
-        for light in self.lights.iter().filter(|light| at.any(light.reaches)) {
+        let lights = self.lights.iter();
+        for light in lights.filter(|light| has(light.reaches, square)) {
             let l = vector(&light.by_square);
             let inverse = 1.0 / (n2 * dot(&l, &l)).sqrt();
             let cosine = dot(&n, &l) * inverse;
-            let [kinks, logarithms] = [fourth(light) & !light.shines, fourth(light) & light.shines];
-            if light.most[0] > 0.0 {
+            let [is_fourth, shines] = [
+                are_nodes && has(light.fourth, square),
+                has(light.shines, square),
+            ];
+            if is_fourth && !shines {
+                levels[FOURTH] += cosine;
+            } else if light.most[0] > 0.0 {
                 let lit = cosine.max(zero);
-                if kinks != 0 {
-                    levels[FOURTH] += cosine * at.within(simd, kinks, 1.0);
-                }
-                let set = light.reaches & !kinks;
                 for channel in 0..3 {
-                    levels[channel] += lit * at.within(simd, set, light.diffuse[channel]);
+                    levels[channel] += lit * light.diffuse[channel];
                 }
             }
-            if at.any(light.shines) {
+            if shines {
                 let twice = cosine + cosine;
                 let e = three!(|axis| n[axis] * twice - l[axis] * inverse - o[axis]);
                 let one_minus_cos = dot(&e, &e) * 0.5;
-                let power = specular::power(self.gloss.shininess, one_minus_cos);
-                let power = if self.surface.plane.is_some() {
-                    power
+                if is_fourth {
+                    levels[FOURTH] += specular::exponent(self.gloss.shininess, one_minus_cos);
                 } else {
-                    cosine.simd_gt(zero).select(power, zero)
-                };
-                if logarithms != 0 {
-                    let exponent = specular::exponent(self.gloss.shininess, one_minus_cos);
-                    levels[FOURTH] += exponent * at.within(simd, logarithms, 1.0);
+                    let power = specular::power(self.gloss.shininess, one_minus_cos);
+                    let power = if self.surface.plane.is_some() {
+                        power
+                    } else {
+                        cosine.simd_gt(zero).select(power, zero)
+                    };
+                    for channel in 0..3 {
+                        levels[channel] += power * light.specular[channel];
+                    }
                 }
-                let set = light.shines & !logarithms;
-                for channel in 0..3 {
-                    levels[channel] += power * at.within(simd, set, light.specular[channel]);
-                }
-                let doubt = cosine.abs().simd_lt(at.lanes(simd, &light.doubt))
+                let doubt = cosine.abs().simd_lt(light.doubt[square])
                     | (1.0 - one_minus_cos).abs().simd_lt(self.gloss.doubt);
                 levels[0] = doubt.select(f32x16::splat(simd, f32::NAN), levels[0]);
             }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::face::Face;
 use super::gouraud::{Gouraud, GridSquares};
 use super::interpolation::Interpolant;
-use super::lanes::{LaneLayout, has};
+use super::lanes::has;
 use super::listed::ListedPixels;
 use super::moving::Extents;
 use super::phong::{FaceLight, Phong};
@@ -35,6 +35,11 @@ impl Shader<'_> {
             Shader::Gouraud(gouraud) => gouraud.prepare(simd, extents, interpolate),
             Shader::Phong(phong) => phong.prepare(simd, extents, interpolate),
         }
+    }
+
+    /// Prepares four squares for evaluation at their pixels; compiled without bounds and samples.
+    pub fn prepare_pixels<S: Simd>(&mut self, simd: S, extents: &Extents<S>) {
+        outlined!(simd, self.prepare(simd, extents, false));
     }
 
     /// Evaluates the listed pixels of the square at `index` of those prepared last: in f32 where that keeps the tolerance,
@@ -103,11 +108,10 @@ impl Shader<'_> {
     /// The levels in f32 at points of the square at `index`, x and y from -1 to 1.
     #[inline(always)]
     fn levels<S: Simd>(&self, simd: S, index: usize, xy: [f32x16<S>; 2]) -> [f32x16<S>; 3] {
-        let at = LaneLayout::Pixels(index);
         match self {
-            Shader::Gouraud(gouraud) => gouraud.levels(simd, at, xy),
+            Shader::Gouraud(gouraud) => gouraud.levels(simd, index, xy),
             Shader::Phong(phong) => {
-                let [red, green, blue, _] = phong.levels(simd, at, xy);
+                let [red, green, blue, _] = phong.levels(simd, index, false, xy);
                 [red, green, blue]
             }
         }

@@ -56,8 +56,7 @@ impl DrawList {
         let shader = &mut self.shader(piece, &face, lights, cells);
         dispatch!(level, simd => match &small {
             Some(square) => {
-                let extents = Extents::new(simd, &[*square; 4], &self.rays.lens);
-                outlined!(simd, shader.prepare(simd, &extents, false));
+                shader.prepare_pixels(simd, &Extents::of_one(simd, square, &self.rays.lens));
                 let kind = canvas.draw_listed(simd, shader, 0, square);
                 canvas.counts.add(kind, canvas.strips(), canvas.listed.count);
                 canvas.mark(square, kind, &face);
@@ -134,14 +133,15 @@ impl Canvas<'_, '_> {
         if seen == [0; 4] {
             return;
         }
-        let extents = Extents::new(simd, squares, &shader.face().rays.lens);
         let covered: usize = squares.iter().map(|square| square.covered).sum();
         let interpolate = self.tolerance > 0.0 && covered >= WORTHWHILE;
+        let lens = &shader.face().rays.lens;
+        let extents = outlined!(simd, Extents::new(simd, squares, lens));
         let interpolant = if interpolate {
             outlined!(simd, shader.prepare(simd, &extents, true))
         } else {
-            // Compiled without bounds and samples.
-            outlined!(simd, shader.prepare(simd, &extents, false))
+            shader.prepare_pixels(simd, &extents);
+            None
         };
         let mut cut = [false; 4];
         for (index, (square, seen)) in squares.iter().zip(seen).enumerate() {
