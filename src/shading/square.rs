@@ -52,7 +52,6 @@ impl Spans<'_> {
     }
 
     /// The indices of the spans of some rows of the picture.
-    #[inline(always)]
     fn local(&self, rows: Range<usize>) -> Range<usize> {
         let len = self.from.len();
         let [start, end] =
@@ -61,7 +60,6 @@ impl Spans<'_> {
     }
 
     /// The covered pixels within some rows and the columns `left..right`, row by row. Rows without such pixels are left out.
-    #[inline(always)]
     pub fn clipped(
         &self,
         rows: Range<usize>,
@@ -108,7 +106,6 @@ impl Square {
 
     /// A square that is covered all over. Compared with [`Square::new`] for all squares, frames of bench-close take 3 % less
     /// time under Phong and 6 % less under Gouraud (tolerance 0.5, one thread).
-    #[inline(always)]
     pub fn whole(corner: [usize; 2], side: usize) -> Self {
         Square {
             corner,
@@ -120,7 +117,6 @@ impl Square {
     }
 
     /// The square whose first pixel is at `corner`.
-    #[inline(always)]
     pub fn new(spans: &Spans, corner: [usize; 2], side: usize) -> Self {
         let ends = [corner[0] as i32, (corner[0] + side) as i32];
         Square {
@@ -131,7 +127,6 @@ impl Square {
     }
 
     /// The covered part of some rows, from one column to another.
-    #[inline(always)]
     fn bounded(spans: &Spans, rows: Range<usize>, [left, right]: [i32; 2]) -> Square {
         let rows = spans.local(rows);
         let first = (spans.first + rows.start) as i32;
@@ -173,33 +168,28 @@ impl Square {
     }
 
     /// Whether all of it is covered.
-    #[inline(always)]
     pub fn is_whole(&self) -> bool {
         self.covered == self.side * self.side
     }
 
     /// The parts of it, of sixteen columns each, in which anything is covered.
-    #[inline(always)]
     pub fn parts(&self) -> Range<usize> {
         let [from, to] = self.columns.map(|column| column - self.corner[0]);
         from / 16..to.div_ceil(16)
     }
 
     /// The rows of the picture that are covered.
-    #[inline(always)]
     pub fn covered_rows(&self) -> Range<usize> {
         self.rows[0]..self.rows[1]
     }
 
     /// The centre of its first pixel from the middle of its covered part, in pixels right and down.
-    #[inline(always)]
     pub fn first(&self) -> [f64; 2] {
         let middle = self.middle();
         two!(|axis| float(self.corner[axis]) + 0.5 - middle[axis])
     }
 
     /// The middle of its covered part, in pixels from the picture's corner.
-    #[inline(always)]
     pub fn middle(&self) -> [f64; 2] {
         let ends = [self.columns, self.rows];
         two!(|axis| float(ends[axis][0] + ends[axis][1]) / 2.0)
@@ -207,7 +197,6 @@ impl Square {
 
     /// From the middle to the outermost covered pixel centres, in pixels right and down; at least half a pixel,
     /// because positions are divided by it.
-    #[inline(always)]
     pub fn half(&self) -> [f64; 2] {
         let ends = [self.columns, self.rows];
         two!(|axis| ((float(ends[axis][1] - ends[axis][0]) - 1.0) / 2.0).max(0.5))
@@ -215,7 +204,6 @@ impl Square {
 }
 
 /// A number of pixels, at most 2^17, as a float: from i32 this is one instruction.
-#[inline(always)]
 fn float(pixel: usize) -> f64 {
     f64::from(pixel as i32)
 }

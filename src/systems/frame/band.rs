@@ -81,7 +81,6 @@ impl<'a> Band<'a> {
     /// Restores the background of some rows where the last frame drew, except in one run of each row that this frame
     /// overwrites. The faces of a convex body meet without gaps, so for one cuboid that run is all that it covers of the
     /// row. `overlaps` says whether pieces overlap in these rows.
-    #[inline(always)]
     pub fn clear(&mut self, rows: Range<usize>, overlaps: bool) {
         let pixel = display_pixel(self.background.to_array());
         let levels = self.background.as_vec3().to_array();

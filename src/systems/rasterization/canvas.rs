@@ -39,7 +39,6 @@ impl Canvas<'_, '_> {
     }
 
     /// The number of pixels of a square that are drawn here: in this band, and not hidden.
-    #[inline(always)]
     pub fn seen_pixels(&self, square: &Square) -> usize {
         let rows = self.rows(square);
         if rows.is_empty() {
