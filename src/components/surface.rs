@@ -263,4 +263,15 @@ impl Polygon {
             places.clone().any(|place| place < end) && places.clone().any(|place| place > 0)
         })
     }
+
+    /// The least and the largest x and y of its bounding box in the picture, in pixels.
+    pub fn bounds(&self, size: [usize; 2]) -> [[f64; 2]; 2] {
+        [i32::min, i32::max].map(|nearer: fn(i32, i32) -> i32| {
+            [0, 1].map(|axis| {
+                let places = self.vertices().iter().map(|vertex| vertex[axis]);
+                let end = places.reduce(nearer).unwrap_or_default();
+                f64::from(end.clamp(0, 256 * size[axis] as i32)) / 256.0
+            })
+        })
+    }
 }

@@ -217,6 +217,24 @@ impl<'a> Face<'a> {
         least > self.least_steady()
     }
 
+    /// The least and the largest u and v that the pixels of a rectangle show, which is given by its least and largest x and y. All
+    /// of the face if some of them may be clamped to it.
+    pub fn shown_in(&self, [least, most]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        let mut shown = [[1.0_f64; 2], [-1.0_f64; 2]];
+        // A quotient of affine functions is largest and least at corners.
+        for [x, y] in [least, [most[0], least[1]], most, [least[0], most[1]]] {
+            let DVec3 { x: u, y: v, z: w } = self.uvw.at(x, y);
+            if !self.is_steady(w) {
+                return [[-1.0; 2], [1.0; 2]];
+            }
+            for (axis, place) in [u / w, v / w].into_iter().enumerate() {
+                shown[0][axis] = shown[0][axis].min(place).max(-1.0);
+                shown[1][axis] = shown[1][axis].max(place).min(1.0);
+            }
+        }
+        shown
+    }
+
     /// The point (u, v) that the pixel at `x`, `y` shows, and whether it was clamped to the face. Only points beside a sliver
     /// are clamped.
     pub fn uv_at(&self, x: f64, y: f64) -> ([f64; 2], bool) {

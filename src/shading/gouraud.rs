@@ -13,7 +13,7 @@ use glam::DVec3;
 use super::affine::Affine;
 use super::bound;
 use super::face::{Face, OVERSHOOT};
-use super::grid::{Grid, LinearCells};
+use super::grid::{Cells, Grid, LinearCells};
 use super::interpolation::{AMPLIFICATION, Interpolant, sampled};
 use super::lanes::{SquareSet, affine_at, has};
 use super::moving::{Extents, single};
@@ -116,7 +116,7 @@ impl<'a> Gouraud<'a> {
             ..scaled(&self.face.plane.w)
         };
         let Source::Grid(grid, squares) = &mut self.source else {
-            let on_face = Cells {
+            let on_face = LinearColors {
                 diagonal: scaled(&self.face.diagonal),
                 colors: two!(|triangle| three!(|channel| {
                     scaled(&self.colors_by_pixel[triangle].map(|color| color[channel]))
@@ -144,12 +144,12 @@ impl<'a> Gouraud<'a> {
         simd: S,
         middle: f64x4<S>,
         w: OnSquares<S>,
-        cells: &Cells<S>,
+        cells: &LinearColors<S>,
         interpolate: bool,
     ) -> Option<Interpolant<S>> {
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
         let zero = splat(0.0);
-        let Cells {
+        let LinearColors {
             diagonal, colors, ..
         } = *cells;
         let change = diagonal.dx.abs() + diagonal.dy.abs();
@@ -252,7 +252,7 @@ impl GridSquares {
         w: &OnSquares<S>,
         inverse: f64x4<S>,
         tolerance: f64,
-    ) -> Cells<S> {
+    ) -> LinearColors<S> {
         let divided = inlined!(|term: f64x4<S>| term * inverse);
         let half = grid.segments as f64 / 2.0;
         // w times the place on the grid.
@@ -283,9 +283,9 @@ impl GridSquares {
             // From -1 to 1 on the patch, times w.
             let uvw = face.uvw.map(|it| {
                 let local = two!(|axis| {
-                    let size = patch.size[axis] as f64;
-                    let start = (2 * patch.first[axis] + patch.size[axis]) as f64 - count;
-                    (it[axis] * count - it.z * start) / size
+                    let Cells { first, size } = patch.cells;
+                    let start = (2 * first[axis] + size[axis]) as f64 - count;
+                    (it[axis] * count - it.z * start) / size[axis] as f64
                 });
                 DVec3::new(local[0], local[1], it.z)
             });
@@ -325,7 +325,7 @@ impl GridSquares {
         // A pixel centre just outside of the face shows the nearest point of it; a function goes on.
         let outside = f64x4::splat(simd, count * face.least_steady() * OVERSHOOT) * inverse
             / (1.0 - w.dx.abs() - w.dy.abs());
-        Cells {
+        LinearColors {
             diagonal: extents
                 .affine_each(&on_patches.map(|(diagonal, _)| diagonal))
                 .map(divided),
@@ -345,9 +345,9 @@ impl GridSquares {
 /// The share of the tolerance that a [`LinearCells`] may err by. The rest is left for the interpolation of the quotient.
 const PATCHED: f64 = 0.75;
 
-/// The cells of four squares: affine functions on the [`LinearCells`] of a square that has one, and the error of that or of looking
-/// cells up.
-struct Cells<S: Simd> {
+/// The colours of four squares: affine functions on the [`LinearCells`] of a square that has one, and the error of that or of
+/// looking cells up.
+struct LinearColors<S: Simd> {
     diagonal: OnSquares<S>,
     /// By triangle and channel.
     colors: [[OnSquares<S>; 3]; 2],

@@ -9,10 +9,13 @@
 //!        0     1     2 --u
 //! ```
 
+mod linear;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x8};
 use glam::DVec3;
 
+pub use self::linear::LinearCells;
 use super::U;
 use crate::components::Segments;
 use crate::output::memory::{self, Content, OutOfMemory};
@@ -30,8 +33,35 @@ pub struct Grids {
 struct FaceGrid {
     start: usize,
     segments: usize,
+    cells: Cells,
     largest: f64,
     steepest: [f64; 2],
+}
+
+/// A rectangle of cells of a grid: the first of them, and their numbers along u and v.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cells {
+    pub first: [usize; 2],
+    pub size: [usize; 2],
+}
+
+impl Cells {
+    /// The cells that places from the least to the largest (u, v) need, and one more on each side because these are rounded.
+    pub fn around([least, most]: [[f64; 2]; 2], segments: Segments) -> Self {
+        let count = segments.count();
+        let place = |u: f64| (u + 1.0) * 0.5 * count as f64;
+        let first = least.map(|u| (place(u) as usize).saturating_sub(1).min(count - 1));
+        let size = two!(|axis| {
+            let end = (place(most[axis]).ceil() as usize + 1).min(count);
+            end.max(first[axis] + 1) - first[axis]
+        });
+        Cells { first, size }
+    }
+
+    /// The number of their points.
+    fn points(&self) -> usize {
+        (self.size[0] + 1) * (self.size[1] + 1)
+    }
 }
 
 /// Memory for so many points, 2.4 MB, is not given back.
@@ -64,12 +94,19 @@ impl Grids {
         Ok(())
     }
 
-    /// Adds the grid of a face, with the levels at its points (u, v). Returns its index. There must be memory for it.
+    /// The number of points that have levels.
+    pub fn lit_points(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Adds the grid of a face, with the levels at the points (u, v) of these cells, the only ones that are seen. Returns its
+    /// index. There must be memory for it.
     #[inline(always)]
     pub fn add<S: Simd>(
         &mut self,
         simd: S,
         segments: Segments,
+        cells: Cells,
         levels: impl Fn([f64x8<S>; 2]) -> [f64x8<S>; 3],
     ) -> u32 {
         let (start, count) = (self.levels.len(), segments.count());
@@ -78,17 +115,19 @@ impl Grids {
         // Lanes beyond the last point of a row repeat it.
         let along = inlined!(|it: f64x8<S>| (it * 2.0 / count as f64 - 1.0).min(splat(1.0)));
         let (mut largest, mut steepest) = (splat(0.0), [0.0_f64; 2]);
-        for row in 0..=count {
-            let v = along(splat(row as f64));
-            for first in (0..=count).step_by(8) {
-                let [red, green, blue] = levels([along(lanes + first as f64), v]);
+        let [first, across] = [cells.first, two!(|axis| cells.size[axis] + 1)];
+        for row in 0..across[1] {
+            let v = along(splat((first[1] + row) as f64));
+            for column in (0..across[0]).step_by(8) {
+                let u = along(lanes + (first[0] + column) as f64);
+                let [red, green, blue] = levels([u, v]);
                 largest = largest.max(red.abs()).max(green.abs()).max(blue.abs());
-                let own = 0..8.min(count + 1 - first);
+                let own = 0..8.min(across[0] - column);
                 self.levels
                     .extend(own.map(|lane| [red[lane], green[lane], blue[lane]]));
             }
             let numbers = self.levels[start..].as_flattened();
-            let (before, own) = numbers.split_at(3 * row * (count + 1));
+            let (before, own) = numbers.split_at(3 * row * across[0]);
             let below = before.rchunks(own.len()).next().unwrap_or_default();
             let changes = [[own, &own[3..]], [below, own]];
             steepest = two!(|axis| steepest[axis].max(largest_change(simd, changes[axis])));
@@ -96,6 +135,7 @@ impl Grids {
         self.faces.push(FaceGrid {
             start,
             segments: count,
+            cells,
             largest: largest.reduce_max(),
             steepest,
         });
@@ -105,10 +145,10 @@ impl Grids {
     /// The grid at an index.
     pub fn get(&self, index: u32) -> Grid<'_> {
         let face = &self.faces[index as usize];
-        let points = face.start..face.start + (face.segments + 1).pow(2);
         Grid {
-            levels: &self.levels[points],
+            levels: &self.levels[face.start..face.start + face.cells.points()],
             segments: face.segments,
+            cells: face.cells,
             largest: face.largest,
             steepest: face.steepest,
         }
@@ -131,33 +171,15 @@ fn largest_change<S: Simd>(simd: S, [a, b]: [&[f64]; 2]) -> f64 {
 /// The grid of a face.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a> {
-    /// At the points, row by row.
+    /// At the points of the cells that are seen, row by row.
     levels: &'a [[f64; 3]],
     pub segments: usize,
+    cells: Cells,
     /// The largest size of a level.
     largest: f64,
     /// The largest change of a level from a point to the next, along u and along v.
     steepest: [f64; 2],
 }
-
-/// A cell, or several with one linear function instead of theirs.
-#[derive(Clone, Copy, Debug)]
-pub struct LinearCells {
-    /// Its first cell, and the number of cells along u and v.
-    pub first: [usize; 2],
-    pub size: [usize; 2],
-    /// The levels at its corners, in the order of the face's.
-    pub levels: [DVec3; 4],
-    /// Whether its two triangles differ.
-    pub is_cut: bool,
-    /// The largest error of the function.
-    pub error: f64,
-    /// The largest change of a level for one cell along u and one along v; 0 for a single cell.
-    pub slope: f64,
-}
-
-/// Cells with more points than this are not replaced by one function: to look up each pixel's cell costs less.
-const MOST_POINTS: usize = 256;
 
 /// The rounding error of a place in f32, relative to the largest on the square: with the operations of
 /// [`super::gouraud`], without its triangles and its display,
@@ -174,9 +196,19 @@ const PLACE_ERROR: f64 = 52.0 * U;
 const LEVEL_ERROR: f64 = 9.0 * U;
 
 impl Grid<'_> {
-    /// The cell in which a place of the grid lies, clamped to the face.
+    /// The cell in which a place of the grid lies, clamped to those that are seen.
     fn cell(&self, place: [f64; 2]) -> [usize; 2] {
-        place.map(|place| (place.max(0.0) as usize).min(self.segments - 1))
+        let Cells { first, size } = self.cells;
+        two!(|axis| {
+            let last = first[axis] + size[axis] - 1;
+            (place[axis].max(0.0) as usize).clamp(first[axis], last)
+        })
+    }
+
+    /// The index of the point at the lower left corner of a cell.
+    fn point(&self, [i, j]: [usize; 2]) -> usize {
+        let Cells { first, size } = self.cells;
+        (j - first[1]) * (size[0] + 1) + i - first[0]
     }
 
     /// The levels at a point (u, v), or at the nearest point of the face.
@@ -184,72 +216,11 @@ impl Grid<'_> {
         let place = uv.map(|u| (u + 1.0) * 0.5 * self.segments as f64);
         let cell = self.cell(place);
         let [s, t] = two!(|axis| (place[axis] - cell[axis] as f64).clamp(0.0, 1.0));
-        let start = cell[1] * (self.segments + 1) + cell[0];
-        let third = start + if s > t { 1 } else { self.segments + 1 };
-        let points = [start, third, start + self.segments + 2];
+        let (start, across) = (self.point(cell), self.cells.size[0] + 1);
+        let third = start + if s > t { 1 } else { across };
+        let points = [start, third, start + across + 1];
         let [a, third, c] = points.map(|it| DVec3::from(self.levels[it]));
         a * (1.0 - s.max(t)) + third * (s.max(t) - s.min(t)) + c * s.min(t)
-    }
-
-    /// The cell in which all these places of the grid lie, from the least to the largest along each axis; `corners` are (u, v) of
-    /// the face's corners. If there are several cells, a linear function for all of them that errs by at most `tolerance`.
-    pub fn patch(
-        &self,
-        [least, most]: [[f64; 2]; 2],
-        corners: &[[f64; 2]; 4],
-        tolerance: f64,
-    ) -> Option<LinearCells> {
-        let first = self.cell(least);
-        let size = two!(|axis| {
-            let end = (most[axis].max(0.0).ceil() as usize).clamp(first[axis] + 1, self.segments);
-            end - first[axis]
-        });
-        let level = |i: usize, j: usize| {
-            DVec3::from(self.levels[(first[1] + j) * (self.segments + 1) + first[0] + i])
-        };
-        let is_inside = |axis: usize| 0.0 <= least[axis] && most[axis] <= self.segments as f64;
-        if size == [1, 1] && is_inside(0) && is_inside(1) {
-            let at = |[u, v]: [f64; 2]| level(usize::from(u > 0.0), usize::from(v > 0.0));
-            return Some(LinearCells {
-                first,
-                size,
-                levels: corners.map(at),
-                is_cut: true,
-                error: 0.0,
-                slope: 0.0,
-            });
-        }
-        if tolerance <= 0.0 || (size[0] + 1) * (size[1] + 1) > MOST_POINTS {
-            return None;
-        }
-        // The slopes are those between the sides. The largest error is at a point, since levels and function are linear between.
-        let [i, j] = size;
-        let [a, b, c, d] = [level(0, 0), level(i, 0), level(i, j), level(0, j)];
-        let right = (b - a + (c - d)) / (2.0 * i as f64);
-        let up = (d - a + (c - b)) / (2.0 * j as f64);
-        let (mut lowest, mut highest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for row in 0..=j {
-            for column in 0..=i {
-                let rest = level(column, row) - right * column as f64 - up * row as f64;
-                (lowest, highest) = (lowest.min(rest), highest.max(rest));
-            }
-        }
-        let (start, error) = (
-            (lowest + highest) / 2.0,
-            ((highest - lowest) / 2.0).max_element(),
-        );
-        let at = |[u, v]: [f64; 2]| {
-            let end = |u: f64, size: usize| if u > 0.0 { size as f64 } else { 0.0 };
-            start + right * end(u, i) + up * end(v, j)
-        };
-        (error <= tolerance).then_some(LinearCells {
-            first,
-            size,
-            levels: corners.map(at),
-            is_cut: false,
-            error,
-            slope: right.abs().max_element() + up.abs().max_element(),
-        })
     }
 
     /// The rounding error of [`Grid::levels`], in levels. `largest` are the largest places that are counted from the origin.
@@ -270,17 +241,17 @@ impl Grid<'_> {
         places: [f32x16<S>; 2],
     ) -> [f32x16<S>; 3] {
         let splat = inlined!(|number: f64| f32x16::splat(simd, number as f32));
-        let last = self.segments as f64;
         let [(i, s), (j, t)] = two!(|axis| {
-            let start = origin[axis];
-            let [first, end] = [-start, last - start].map(splat);
+            let first = self.cells.first[axis] as f64 - origin[axis];
+            let last = first + self.cells.size[axis] as f64;
+            let [start, end] = [first, last].map(splat);
             // NaN, which lanes without a pixel may hold, becomes the first place.
-            let place = places[axis].simd_gt(first).select(places[axis], first);
+            let place = places[axis].simd_gt(start).select(places[axis], start);
             let place = place.simd_lt(end).select(place, end);
-            let cell = place.floor().min(splat(last - 1.0 - start));
-            (cell + splat(start), place - cell)
+            let cell = place.floor().min(splat(last - 1.0));
+            (cell - start, place - cell)
         });
-        let across = self.segments + 1;
+        let across = self.cells.size[0] + 1;
         let start = j * splat(across as f64) + i;
         let is_right = s.simd_gt(t);
         let third = start + is_right.select(splat(1.0), splat(across as f64));
@@ -323,7 +294,8 @@ mod tests {
     /// Adds a grid with these levels at the points (u, v).
     fn add(grids: &mut Grids, segments: u32, level: impl Fn([f64; 2]) -> DVec3) -> u32 {
         let segments = Segments::new(segments).expect("it is legal");
-        grids.add(baseline(), segments, |[u, v]| {
+        let cells = Cells::around([[-1.0; 2], [1.0; 2]], segments);
+        grids.add(baseline(), segments, cells, |[u, v]| {
             let levels: [DVec3; 8] = from_fn(|lane| level([u[lane], v[lane]]));
             three!(|channel| f64x8::from_fn(baseline(), |lane| levels[lane][channel]))
         })
@@ -452,7 +424,8 @@ mod tests {
                     place.clamp(0.0, count)
                 });
                 let local = two!(|axis| {
-                    (place[axis] - patch.first[axis] as f64) / patch.size[axis] as f64
+                    let Cells { first, size } = patch.cells;
+                    (place[axis] - first[axis] as f64) / size[axis] as f64
                 });
                 let [a, b, c, d] = patch.levels;
                 let [s, t] = local;
@@ -466,7 +439,7 @@ mod tests {
                 "{largest} of {}",
                 patch.error
             );
-            assert!(patch.size != [1, 1] || patch.error < 1e-9 || !patch.is_cut);
+            assert!(patch.cells.size != [1, 1] || patch.error < 1e-9 || !patch.is_cut);
         }
         assert!((10..200).contains(&refused), "{refused}");
     }

@@ -2,8 +2,8 @@
 //!
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed for cuboids
 //! with Gouraud shading: at the eight corners, with face normals at the four corners of each visible face, or with several
-//! segments at the points of the grid of each visible face, eight at a time. With flat shading they are those at the middle
-//! of each visible face.
+//! segments at the points of each visible face whose cells may be seen, eight at a time. With flat shading they are those at
+//! the middle of each visible face.
 
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;
@@ -18,8 +18,8 @@ use crate::components::{
 };
 use crate::shading::Surface;
 use crate::shading::affine::Affine;
-use crate::shading::face::{Plane, Rays};
-use crate::shading::grid::Grids;
+use crate::shading::face::{Face, Plane, Rays};
+use crate::shading::grid::{Cells, Grids};
 use crate::shading::simd::{dispatch, inlined};
 use crate::systems::frame::{DrawList, Frame};
 
@@ -60,17 +60,18 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
             surface: Surface::new(material, illumination, transform.position),
         };
         let segments = view.segments(*segments);
-        let seen = (0..FACES.len()).filter(|face| projected.polygons[*face].meets(view.size));
-        let faces = seen.clone().count();
+        let faces = (0..FACES.len()).filter(|face| projected.polygons[*face].meets(view.size));
         let evaluations;
         (*colors, evaluations) = match normals {
-            _ if mode == ShadingMode::Flat => (lit.at_middles(seen), faces),
-            _ if segments.count() > 1 => (
-                lit.at_grid_points(seen, segments, grids, level),
-                faces * segments.points(),
-            ),
+            _ if mode == ShadingMode::Flat => (lit.at_middles(faces.clone()), faces.count()),
+            _ if segments.count() > 1 => {
+                let lit_before = grids.lit_points();
+                let seen = faces.map(|face| (face, projected.polygons[face].bounds(view.size)));
+                let colors = lit.at_grid_points(seen, segments, grids, level);
+                (colors, grids.lit_points() - lit_before)
+            }
             Normals::Corner(normals) => (lit.at_corners(normals), normals.len()),
-            Normals::Face(_) => (lit.at_corners_of_faces(seen), 4 * faces),
+            Normals::Face(_) => (lit.at_corners_of_faces(faces.clone()), 4 * faces.count()),
         };
         let evaluations = evaluations as u64;
         frame.counts.model_evaluations += evaluations;
@@ -100,22 +101,24 @@ impl LitCuboid<'_> {
 
     fn at_grid_points(
         &self,
-        faces: impl Iterator<Item = usize>,
+        faces: impl Iterator<Item = (usize, [[f64; 2]; 2])>,
         segments: Segments,
         grids: &mut Grids,
         level: Level,
     ) -> VertexColors {
         let mut indices = [0; 3];
-        for face in faces {
+        for (face, bounds) in faces {
             let plane = self.plane(face);
             let surface = Surface {
                 plane: plane.as_ref(),
                 ..self.surface
             };
             let functions = self.on_face(face);
+            let cells = Cells::around(self.shown(face, bounds), segments);
             indices[face / 2] = dispatch!(level, simd => grids.add(
                 simd,
                 segments,
+                cells,
                 inlined!(|uv| surface.levels_in_lanes(&functions, uv))
             ));
         }
@@ -143,6 +146,14 @@ impl LitCuboid<'_> {
     fn plane(&self, face: usize) -> Option<Plane> {
         let has_own = matches!(self.normals, Normals::Face(_));
         has_own.then(|| Plane::new(face, self.transform, self.mesh.corners[7], self.rays))
+    }
+
+    /// The least and the largest (u, v) of a face within these bounds in the picture.
+    fn shown(&self, face: usize, bounds: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        let (half, middle) = (self.mesh.corners[7], self.rays.lens.middle);
+        let plane = Plane::new(face, self.transform, half, self.rays);
+        let face = Face::new(&plane, self.transform, half, self.rays);
+        face.shown_in(bounds.map(|[x, y]| [x - middle[0], y - middle[1]]))
     }
 
     /// The levels at a place of the cuboid, in its own axes.

@@ -122,6 +122,33 @@ fn grids_are_lit_only_for_faces_in_the_picture() {
 }
 
 #[test]
+fn of_a_grid_only_the_points_of_cells_in_the_picture_are_lit() {
+    // The picture is 20 units wide and high. It shows a tenth of a face of 200 units, and some of its cells in part; one more on
+    // each side may be lit.
+    for (centre, [least, most]) in [
+        ([0.0, 0.0], [26 * 26, 30 * 30]),
+        // The lower left corner of the face is the middle of the picture: 10 units are 12.8 cells.
+        ([100.0, 100.0], [14 * 14, 16 * 16]),
+        ([95.0, 0.0], [20 * 26, 22 * 30]),
+    ] {
+        let mut world = World::new();
+        let transform = at(dvec3(centre[0], centre[1], -95.0));
+        let size = DVec3::splat(200.0);
+        let cuboid = spawn_cuboid(&mut world, size, transform, MATERIAL);
+        let normals = Normals::new(NormalMode::Corner, &Mesh::cuboid(size), DMat3::IDENTITY);
+        let segments = Segments::new(256).expect("it is legal");
+        let components = (place(transform), normals, segments);
+        world.insert(cuboid, components).expect("it was spawned");
+        let view = ahead(Projection::Orthographic, [8, 8]).shaded(ShadingMode::Gouraud);
+        let evaluations = run(&mut world, &view).counts().model_evaluations;
+        assert!(
+            (least..=most).contains(&evaluations),
+            "{evaluations} at {centre:?}"
+        );
+    }
+}
+
+#[test]
 fn only_a_cuboid_under_gouraud_has_vertex_colours() {
     // The cuboid's own mode is Phong, which the view overrides. kA is 0.1.
     let lights = [(DVec3::ZERO, light(LightKind::Ambient, 200.0))];
