@@ -9,6 +9,7 @@
 //! a page in a browser has its own, and the crate in `web/` runs the steps.
 
 mod actions;
+mod answers;
 pub mod app;
 mod ask;
 pub mod canvas;
