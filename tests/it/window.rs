@@ -26,6 +26,7 @@ use egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, RawInput, TouchPhase, vec2,
 };
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::View;
 use shadetrade::scene::{Scene, SceneRecord};
@@ -37,7 +38,7 @@ use shadetrade::window::document::Document;
 use tempfile::TempDir;
 
 use super::support::scene::draw;
-use super::support::window::{app, default_scene};
+use super::support::window::{app, default_scene, widgets};
 
 /// A size with room for the panel, the inspector and a small picture.
 const SIZE: [usize; 2] = [1240, 600];
@@ -46,10 +47,52 @@ const FRAME: Duration = Duration::from_millis(20);
 /// After this time a change is a new step of the history.
 const PAUSE: Duration = Duration::from_secs(2);
 
+/// The default scene as it is written down.
+fn default_record() -> SceneRecord {
+    SceneRecord::of(&default_scene().world)
+}
+
+/// The default scene after a change.
+fn changed(change: impl FnOnce(&mut SceneRecord)) -> Scene {
+    let mut record = default_record();
+    change(&mut record);
+    Scene::spawn("changed".to_owned(), &record)
+}
+
+/// The widgets of a window on the default scene.
+fn widgets_of(size: [usize; 2]) -> Harness<'static, App> {
+    widgets(app(default_scene(), size, Level::new()), size)
+}
+
 /// Presses a key, and lays out the window again.
 fn press(harness: &mut Harness<App>, key: Key) {
     harness.key_press(key);
     harness.run_ok();
+}
+
+/// Chooses the widget with this label.
+#[track_caller]
+fn choose(harness: &mut Harness<App>, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run_ok();
+}
+
+/// Presses the button at the first place and releases it at the last.
+fn drag(harness: &mut Harness<App>, path: &[Pos2]) {
+    harness.hover_at(path[0]);
+    harness.run_ok();
+    harness.drag_at(path[0]);
+    harness.run_ok();
+    for at in &path[1..] {
+        harness.hover_at(*at);
+        harness.run_ok();
+    }
+    harness.drop_at(path[path.len() - 1]);
+    harness.run_ok();
+}
+
+fn click_at(harness: &mut Harness<App>, at: Pos2) {
+    drag(harness, &[at]);
 }
 
 /// A window, its clock, and the folder of its saved files.
@@ -86,6 +129,15 @@ impl Window {
             output,
             folder,
         }
+    }
+
+    /// Lays out the widgets in a window of `size`, and uses them.
+    fn with_widgets<T>(&mut self, size: [usize; 2], act: impl FnOnce(&mut Harness<App>) -> T) -> T {
+        let spare = app(default_scene(), [64, 48], Level::new());
+        let mut harness = widgets(std::mem::replace(&mut self.app, spare), size);
+        let found = act(&mut harness);
+        std::mem::swap(&mut self.app, harness.state_mut());
+        found
     }
 
     /// Shows a scene as a new window would, which takes far longer because it draws every letter first.
@@ -126,22 +178,20 @@ impl Window {
     }
 
     fn key_event(&self, key: Key, pressed: bool) -> Event {
-        Event::Key {
-            key,
-            physical_key: None,
-            pressed,
-            repeat: false,
-            modifiers: self.modifiers,
-        }
+        self.any_key_event(key, pressed, false)
     }
 
     /// The event of a key that is held.
     fn repeated(&self, key: Key) -> Event {
+        self.any_key_event(key, true, true)
+    }
+
+    fn any_key_event(&self, key: Key, pressed: bool, repeat: bool) -> Event {
         Event::Key {
             key,
             physical_key: None,
-            pressed: true,
-            repeat: true,
+            pressed,
+            repeat,
             modifiers: self.modifiers,
         }
     }
@@ -249,19 +299,13 @@ impl Window {
 
     /// The names of the saved files, in order.
     fn files(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(self.folder.path()).expect("the folder is there");
-        let names = entries.map(|entry| entry.expect("an entry").file_name());
-        let mut names: Vec<String> = names
-            .map(|name| name.to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
+        crate::cli::listing(self.folder.path())
     }
 
     /// The pixels of the picture's area in the window.
     fn seen(&self) -> Vec<u32> {
-        let [left, top] =
-            [self.app.canvas.place.min.x, self.app.canvas.place.min.y].map(|it| it as usize);
+        let corner = self.app.canvas.place.min;
+        let [left, top] = [corner.x, corner.y].map(|it| it as usize);
         let [width, height] = self.app.canvas.size();
         let rows = self.app.pixels.chunks_exact(self.size[0]);
         let rows = rows.skip(top).take(height);

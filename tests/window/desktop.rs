@@ -39,9 +39,8 @@ impl Display {
             .expect("Xvfb is installed");
         let mut number = String::new();
         let stdout = server.stdout.take().expect("its output is piped");
-        BufReader::new(stdout)
-            .read_line(&mut number)
-            .expect("Xvfb says its number");
+        let read = BufReader::new(stdout).read_line(&mut number);
+        read.expect("Xvfb says its number");
         Display {
             server,
             manager: None,
@@ -50,13 +49,9 @@ impl Display {
     }
 
     pub fn run(&self, program: &str, arguments: &[&str]) -> Vec<u8> {
-        let output = Command::new(program)
-            .args(arguments)
-            .env("DISPLAY", &self.name)
-            .output();
-        output
-            .unwrap_or_else(|error| panic!("{program}: {error}"))
-            .stdout
+        let mut command = Command::new(program);
+        let output = command.args(arguments).env("DISPLAY", &self.name).output();
+        output.expect(program).stdout
     }
 
     /// Sets the dots per inch of the screen.
@@ -122,17 +117,10 @@ impl Program {
             folder,
         };
         until("the window is there", || {
-            let found = program.display.run(
-                "xdotool",
-                &["search", "--onlyvisible", "--name", "shadetrade"],
-            );
-            let found = String::from_utf8_lossy(&found);
-            found
-                .lines()
-                .next()
-                .unwrap_or_default()
-                .clone_into(&mut program.window);
-            !program.window.is_empty()
+            let found = program.xdotool(&["search", "--onlyvisible", "--name", "shadetrade"]);
+            let first = found.lines().next().unwrap_or_default();
+            first.clone_into(&mut program.window);
+            !first.is_empty()
         });
         // Without a window manager the window gets neither a position nor the keyboard focus by itself.
         program.xdotool(&["windowmove", &program.window, "0", "0"]);
@@ -144,9 +132,8 @@ impl Program {
     }
 
     pub fn xdotool(&self, arguments: &[&str]) -> String {
-        String::from_utf8_lossy(&self.display.run("xdotool", arguments))
-            .trim()
-            .to_owned()
+        let output = self.display.run("xdotool", arguments);
+        String::from_utf8_lossy(&output).trim().to_owned()
     }
 
     pub fn press(&self, key: &str) {
@@ -178,12 +165,8 @@ impl Program {
     }
 
     pub fn resize(&self, [width, height]: [u32; 2]) {
-        self.xdotool(&[
-            "windowsize",
-            &self.window,
-            &width.to_string(),
-            &height.to_string(),
-        ]);
+        let [width, height] = [width, height].map(|side| side.to_string());
+        self.xdotool(&["windowsize", &self.window, &width, &height]);
     }
 
     pub fn title(&self) -> String {
@@ -195,9 +178,8 @@ impl Program {
         let png = self
             .display
             .run("import", &["-window", &self.window, "png:-"]);
-        image::load_from_memory(&png)
-            .map(|picture| picture.to_rgb8())
-            .unwrap_or_default()
+        let picture = image::load_from_memory(&png);
+        picture.map(|it| it.to_rgb8()).unwrap_or_default()
     }
 
     /// Starts a window manager, and focuses the window again.

@@ -8,7 +8,6 @@ use fearless_simd::Level;
 use image::RgbImage;
 
 use super::desktop::{Display, Point, Program, until};
-use super::signal;
 use super::support::{app, default_scene, places, widgets};
 use shadetrade::window::inspector::Tab;
 
@@ -16,12 +15,9 @@ use shadetrade::window::inspector::Tab;
 const SIZE: [usize; 2] = [960, 720];
 /// A window of that size with the picture alone.
 pub(super) const PLAIN: &[&str] = &[
-    "--size",
-    "960x720",
-    "--set",
-    "view.show=picture",
-    "--set",
-    "view.divider=0.5",
+    "--size=960x720",
+    "--set=view.show=picture",
+    "--set=view.divider=0.5",
 ];
 
 /// The centre of the widget with this label.
@@ -57,24 +53,9 @@ fn keys_change_the_picture_and_restore_it() {
     assert_eq!(program.title(), title);
     let start = picture(&start);
     let seen = || picture(&program.picture());
-    let pairs = [
-        ("w", "1"),
-        ("2", "r"),
-        ("p", "g"),
-        ("o", "o"),
-        ("c", "c"),
-        ("Left", "Right"),
-        ("Up", "Home"),
-        ("plus", "minus"),
-        ("KP_Subtract", "KP_Add"),
-        ("F3", "F2"),
-        ("F6", "F2"),
-        ("h", "h"),
-        ("question", "Escape"),
-        ("F1", "Escape"),
-        ("p", "ctrl+z"),
-    ];
-    for (there, back) in pairs {
+    let pairs = "w 1|2 r|p g|o o|c c|Left Right|Up Home|plus minus|KP_Subtract KP_Add|F3 F2|F6 F2|h h|question Escape|\
+                 F1 Escape|p ctrl+z";
+    for (there, back) in pairs.split('|').filter_map(|it| it.split_once(' ')) {
         program.press(there);
         until(there, || seen() != start);
         program.press(back);
@@ -150,22 +131,18 @@ fn no_tap_of_a_key_is_lost() {
 #[test]
 #[ignore = "needs a display server and a window manager: apt-get install xvfb xdotool imagemagick libxcursor1 x11-utils openbox"]
 fn quitting_and_closing_the_frame_keep_edits() {
-    for way in ["q", "alt+F4", "signal"] {
+    for way in ["q", "alt+F4"] {
         let mut program = Program::open(PLAIN, &[]);
         let folder = program.folder.path().to_path_buf();
         program.start_window_manager();
         edit(&program);
-        match way {
-            "signal" => assert!(signal::send("TERM", &program.child)),
-            "q" => {
-                // The first press says that edits are not saved.
-                let before = program.picture();
-                program.press("q");
-                until("a question", || program.picture() != before);
-                program.press("q");
-            }
-            key => program.press(key),
+        if way == "q" {
+            // The first press says that edits are not saved.
+            let before = program.picture();
+            program.press("q");
+            until("a question", || program.picture() != before);
         }
+        program.press(way);
         assert!(program.ended().success(), "{way}");
         assert!(folder.join(UNSAVED).exists(), "{way}");
     }
@@ -200,10 +177,8 @@ fn an_input_method_that_does_not_run_is_harmless() {
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn a_display_without_24_bits_is_an_error_in_words() {
     for depth in [8, 16, 30] {
-        let (display, folder) = (
-            Display::start(depth),
-            tempfile::tempdir().expect("a folder"),
-        );
+        let display = Display::start(depth);
+        let folder = tempfile::tempdir().expect("a folder");
         for arguments in [&[][..], &["lesson", "how-many-vertices"]] {
             let output = display.command(folder.path()).args(arguments).output();
             let output = output.expect("the program starts");
@@ -234,9 +209,8 @@ fn letters_have_the_size_of_the_screen_and_of_the_user_s_choice() {
         let file = program.folder.path().join("shadetrade/zoom");
         let kept = || fs::read_to_string(&file).ok()?.parse::<f32>().ok();
         program.press("ctrl+plus");
-        until("the choice is kept", || {
-            kept().is_some_and(|it| it > chosen)
-        });
+        let is_kept = || kept().is_some_and(|it| it > chosen);
+        until("the choice is kept", is_kept);
         chosen = kept().expect("a number");
         let folder = program.take_folder();
         program.quit();

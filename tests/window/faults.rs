@@ -17,67 +17,59 @@ use super::signal;
 /// screenshots.
 #[track_caller]
 fn whole_screenshots(folder: &Path) -> usize {
-    let entries = fs::read_dir(folder).expect("listed");
-    let paths: Vec<_> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .collect();
-    let (whole, hidden): (Vec<_>, Vec<_>) = paths
-        .into_iter()
-        .partition(|path| path.extension().is_some_and(|it| it == "png"));
-    for path in &whole {
-        image::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    }
-    for path in hidden {
+    let mut whole = 0;
+    for entry in fs::read_dir(folder).expect("listed") {
+        let path = entry.expect("an entry").path();
         let name = path.file_name().expect("a name").to_string_lossy();
-        assert!(name.starts_with(".shadetrade-"), "{name}");
+        if name.ends_with(".png") {
+            image::open(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
+            whole += 1;
+        } else {
+            assert!(name.starts_with(".shadetrade-"), "{name}");
+        }
     }
-    whole.len()
+    whole
 }
 
-type End = fn(&mut Program);
-
-/// Names, ends and exit codes. The connection is closed, the window alone is destroyed, or the server dies: Xlib ends the
-/// program.
-const ENDS: [(&str, End, Option<i32>); 6] = [
-    (
-        "connection",
-        |it| drop(it.xdotool(&["windowkill", &it.window])),
-        Some(1),
-    ),
-    (
-        "window",
-        |it| drop(it.xdotool(&["windowclose", &it.window])),
-        Some(1),
-    ),
-    ("server", Program::kill_display, Some(1)),
-    ("KILL", |it| assert!(signal::send("KILL", &it.child)), None),
-    (
-        "TERM",
-        |it| assert!(signal::send("TERM", &it.child)),
-        Some(0),
-    ),
-    ("HUP", |it| assert!(signal::send("HUP", &it.child)), Some(0)),
+/// Ends and exit codes. The connection is closed, the window alone is destroyed, or the server dies: Xlib ends the program. Others
+/// are signals.
+const ENDS: [(&str, Option<i32>); 6] = [
+    ("connection", Some(1)),
+    ("window", Some(1)),
+    ("server", Some(1)),
+    ("KILL", None),
+    ("TERM", Some(0)),
+    ("HUP", Some(0)),
 ];
+
+fn end(program: &mut Program, way: &str) {
+    match way {
+        "connection" => drop(program.xdotool(&["windowkill", &program.window])),
+        "window" => drop(program.xdotool(&["windowclose", &program.window])),
+        "server" => program.kill_display(),
+        name => assert!(signal::send(name, &program.child)),
+    }
+}
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn however_the_program_ends_edits_are_on_disk() {
-    for (name, end, code) in ENDS {
+    for (way, code) in ENDS {
         let mut program = Program::open(PLAIN, &[]);
         let file = program.folder.path().join(UNSAVED);
         edit(&program);
         until("the edits are on disk", || file.exists());
-        end(&mut program);
-        assert_eq!(program.ended().code(), code, "{name}");
-        let scene = Scene::load_path(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
-        assert_eq!(names::<Mesh>(&scene.world).len(), 2, "{name}");
+        end(&mut program, way);
+        assert_eq!(program.ended().code(), code, "{way}");
+        let scene = Scene::load_path(&file).unwrap_or_else(|error| panic!("{way}: {error}"));
+        assert_eq!(names::<Mesh>(&scene.world).len(), 2, "{way}");
     }
 }
 
 #[test]
 #[ignore = "needs a display server: apt-get install xvfb xdotool imagemagick libxcursor1"]
 fn however_the_program_ends_its_files_are_complete() {
-    for (name, end, code) in ENDS {
+    for (way, code) in ENDS {
         let mut program = Program::open(&["--size", "3840x2160"], &[]);
         let folder = program.folder.path().to_owned();
         // The key is pressed until a second file is there.
@@ -85,9 +77,9 @@ fn however_the_program_ends_its_files_are_complete() {
             program.press("F12");
             fs::read_dir(&folder).expect("listed").count() > 1
         });
-        end(&mut program);
-        assert_eq!(program.ended().code(), code, "{name}");
-        assert!(whole_screenshots(&folder) > 0, "{name}");
+        end(&mut program, way);
+        assert_eq!(program.ended().code(), code, "{way}");
+        assert!(whole_screenshots(&folder) > 0, "{way}");
     }
 }
 

@@ -1,19 +1,18 @@
 //! The changes that keys make in a World, and the messages at their limits.
 
-use std::time::Duration;
-
 use shadetrade::components::ShadingMode::{Phong, UnitVectors};
 use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, viewer, viewer_mut};
 use shadetrade::scene::{self, Scene, SceneRecord};
 use shadetrade::window::choice::Choice;
 use shadetrade::window::controls::{
-    Rotation, has_face_normals, next_camera, next_projection, set_tolerance, show, step_tolerance,
+    has_face_normals, next_camera, next_projection, set_tolerance, show, step_tolerance,
     switch_light_named, switch_normals, wipe, zoom,
 };
 use shadetrade::window::facts::Facts;
 use shadetrade::window::keys::EXACT_SIDES;
 
 use super::trade::trade;
+use super::{changed, default_record};
 use crate::support::records;
 use crate::support::window::default_scene;
 
@@ -63,51 +62,35 @@ fn each_limit_has_its_own_message() {
 }
 
 #[test]
-fn cameras_take_turns_and_a_single_one_says_so() {
-    let mut record = SceneRecord::of(&default_scene().world);
+fn cameras_and_projections_take_turns_and_a_single_one_says_so() {
+    let mut record = default_record();
     let mut world = record.spawn();
-    for name in ["2", "1"] {
+    for (name, projection) in [
+        ("2", Projection::Orthographic),
+        ("1", Projection::Perspective),
+    ] {
         assert_eq!(next_camera(&mut world), None);
-        assert_eq!(viewer(&world).camera.as_deref(), Some(name));
+        next_projection(&mut world);
+        let viewer = viewer(&world);
+        assert_eq!(viewer.camera.as_deref(), Some(name));
+        assert_eq!(viewer.projection, projection);
     }
     record.camera.truncate(1);
     assert!(next_camera(&mut record.spawn()).is_some());
 }
 
 #[test]
-fn projections_take_turns() {
-    let mut world = default_scene().world;
-    for projection in [Projection::Orthographic, Projection::Perspective] {
-        next_projection(&mut world);
-        assert_eq!(viewer(&world).projection, projection);
-    }
-}
-
-#[test]
 fn normals_of_two_kinds_become_face_normals() {
-    let mut record = SceneRecord::of(&default_scene().world);
-    record.cuboid[0].normals = NormalMode::Face;
-    record
-        .cuboid
-        .push(records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]));
-    let mut world = record.spawn();
+    let other = records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]);
+    let mut world = changed(|record| {
+        record.cuboid[0].normals = NormalMode::Face;
+        record.cuboid.push(other);
+    })
+    .world;
     for is_face in [true, false] {
         assert_eq!(has_face_normals(&world), !is_face);
         switch_normals(&mut world);
         assert_eq!(common(&world) == Some(NormalMode::Face), is_face);
-    }
-}
-
-#[test]
-fn cuboids_turn_by_the_clock_from_where_they_stopped() {
-    let mut world = default_scene().world;
-    let mut rotation = Rotation::default();
-    let after = |degrees: u32| Duration::from_millis(30) * degrees;
-    for (start, degrees, turned) in [(0, 400, 40), (1000, 1, 41)] {
-        rotation.switch(&mut world, after(start));
-        rotation.go_on(&mut world, after(start + degrees));
-        assert_eq!(viewer(&world).turned, turned);
-        rotation.switch(&mut world, after(start + degrees));
     }
 }
 
@@ -129,10 +112,7 @@ fn a_budget_is_within_its_range_and_its_outcome_tells_the_method() {
     facts.trade.finish(Some(trade()));
     choice.hold(Some(0.45), &facts, None);
     let held = outcome(&choice, &facts);
-    assert!(
-        held.contains("0.410 ms") && held.contains("0.490"),
-        "{held}"
-    );
+    assert!(held.contains("0.410 ms") && held.contains("0.490"));
     facts.trade.is_current = false;
     let last = outcome(&choice, &facts);
     assert!(last.contains("7.50 ms"), "{last}");

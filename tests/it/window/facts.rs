@@ -4,13 +4,11 @@ use std::sync::{Arc, mpsc};
 use std::time::Duration;
 
 use egui::{Key, Modifiers, Pos2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, Side, View, common_mode};
 use shadetrade::output::Monitor;
 use shadetrade::questions::requires::without;
-use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::{Keep, Workers};
 use shadetrade::window::app::App;
 use shadetrade::window::canvas::REST;
@@ -21,52 +19,13 @@ use shadetrade::window::study::{Runner, SLOW_PROOF, Study, Subject};
 use shadetrade::window::work::{Question, Work, pool};
 
 use super::files::on_file;
-use super::{PAUSE, Window, press};
+use super::{PAUSE, Window, changed, choose, default_record, press};
 use crate::support::records;
 use crate::support::scene::draw;
-use crate::support::window::{app, default_scene, widgets};
+use crate::support::window::{default_scene, widgets};
 
 /// A size so small that everything is computed at once.
 const SMALL: [usize; 2] = [150, 130];
-
-#[test]
-fn an_answer_becomes_old_exactly_when_the_picture_changes() {
-    let mut window = Window::of(default_scene(), SMALL);
-    window.press(Key::P);
-    window.click(window.app.canvas.place.center());
-    window.press(Key::N);
-    window.press(Key::F5);
-    for _ in 0..6 {
-        window.step(Vec::new());
-    }
-    let are_current = |window: &Window| {
-        let facts = &window.app.study.facts;
-        [
-            facts.section.is_current,
-            facts.comparison.is_current,
-            facts.required.is_current,
-            facts.segments.is_current,
-        ]
-    };
-    for key in [Key::F2, Key::F6, Key::H, Key::H] {
-        window.press(key);
-        assert_eq!(are_current(&window), [true; 4], "{key:?}");
-    }
-    // Nothing asks for them again.
-    window.app.desk.tabs.clear();
-    window.press(Key::F2);
-    for key in [Key::OpenBracket, Key::G] {
-        window.press(key);
-        assert_eq!(are_current(&window)[1..], [false; 3], "{key:?}");
-        window.app.study.facts.comparison.is_current = true;
-    }
-    window.size = [140, 90];
-    window.step(Vec::new());
-    assert!(
-        !window.app.study.facts.comparison.is_current,
-        "another size"
-    );
-}
 
 #[test]
 fn a_probed_pixel_stays_on_its_point_when_the_window_is_resized_and_in_the_picture() {
@@ -106,34 +65,24 @@ fn the_part_that_matters_most_comes_first() {
         let found = window.app.study.facts.required.current();
         found.cloned().expect("an answer")
     };
-    let mut rows = vec![known(&window).rows.len()];
-    assert!(!known(&window).is_all);
+    let mut rows = Vec::new();
     while !known(&window).is_all {
-        window.step(Vec::new());
         rows.push(known(&window).rows.len());
+        window.step(Vec::new());
     }
-    assert!(rows.len() > 2 && rows.is_sorted(), "{rows:?}");
+    assert!(rows.len() > 1 && rows.is_sorted(), "{rows:?}");
     window.step(Vec::new());
     let parts = known(&window).rows;
-    assert!(parts.iter().any(|it| it.name.contains("red")));
     let left_out = parts.iter().filter(|it| it.change.keeps(0.5)).count();
     let segments = window.app.study.facts.segments.current();
     let count = segments.expect("an answer")[0].count();
     let harness = widgets(window.app, [1400, 1400]);
-    let places = |name: &str| {
-        harness
-            .query_all_by_label(name)
-            .next()
-            .map(|it| it.rect().min.y)
-    };
-    let most = |name: &str| {
-        parts
-            .iter()
-            .find(|it| it.name == name)
-            .map(|it| it.change.most())
-    };
-    assert!(most("light red") > most("depth test"));
-    assert!(places("light red") < places("depth test"));
+    let [red, depth] = ["light red", "depth test"].map(|name| {
+        let part = parts.iter().find(|it| it.name == name);
+        let row = harness.get_by_label(name).rect().min.y;
+        (part.expect("a part").change.most(), row)
+    });
+    assert!(red.0 > depth.0 && red.1 < depth.1, "{red:?}, {depth:?}");
     // A text is a node in a node.
     let sentence = format!("emerald: Gouraud needs {count} segments.");
     assert!(harness.query_all_by_value(&sentence).count() > 0);
@@ -142,30 +91,19 @@ fn the_part_that_matters_most_comes_first() {
 
 #[test]
 fn a_click_on_a_part_shows_the_picture_without_it_and_another_the_picture() {
-    const SIZE: [usize; 2] = [1300, 120];
     let click = |window: &mut Window, name: &str| {
-        let spare = app(default_scene(), SMALL, Level::new());
         // Every row is in sight.
-        let app = std::mem::replace(&mut window.app, spare);
-        let mut harness = widgets(app, [1300, 1000]);
-        harness.get_by_label(name).click();
-        harness.run_ok();
-        std::mem::swap(harness.state_mut(), &mut window.app);
+        window.with_widgets([1300, 1000], |it| choose(it, name));
         window.step(Vec::new());
     };
-    let mut window = Window::of(default_scene(), SIZE);
+    let mut window = Window::of(default_scene(), [1300, 120]);
     window.press(Key::P);
     window.press(Key::N);
-    let required = |window: &Window| {
-        window
-            .app
-            .study
-            .facts
-            .required
-            .current()
-            .is_some_and(|it| it.is_all)
+    let is_all = |window: &Window| {
+        let required = window.app.study.facts.required.current();
+        required.is_some_and(|it| it.is_all)
     };
-    while !required(&window) {
+    while !is_all(&window) {
         window.step(Vec::new());
     }
     let picture = window.app.shown().into_owned();
@@ -190,7 +128,7 @@ fn a_click_on_a_part_shows_the_picture_without_it_and_another_the_picture() {
 }
 
 #[test]
-fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
+fn the_proof_refutes_nothing_and_the_status_line_does_not_tell_of_the_picture_before() {
     let mut window = Window::of(default_scene(), [1000, 120]);
     window.app.desk.open(Tab::Proof);
     window.wait(PAUSE);
@@ -199,23 +137,13 @@ fn the_proof_of_a_picture_within_its_tolerance_refutes_nothing() {
     let [width, height] = window.app.canvas.size();
     assert_eq!(proof.refuted, 0);
     assert_eq!(proof.proven + proof.undecided, (width * height) as u64);
-}
-
-#[test]
-fn the_status_line_does_not_tell_of_the_proof_of_the_picture_before() {
-    let mut window = Window::of(default_scene(), [1000, 120]);
-    window.app.desk.open(Tab::Proof);
-    window.wait(PAUSE);
-    window.wait(PAUSE);
-    assert!(window.app.study.facts.proof.is_current);
     let mut harness = widgets(window.app, [1000, 120]);
-    let says_proven = |harness: &Harness<App>| {
+    for is_told in [true, false] {
         let mut labels = harness.query_all_by_label_contains("drawn right");
-        labels.next().is_some()
-    };
-    assert!(says_proven(&harness));
-    press(&mut harness, Key::P);
-    assert!(!says_proven(&harness));
+        assert_eq!(labels.next().is_some(), is_told);
+        drop(labels);
+        press(&mut harness, Key::P);
+    }
 }
 
 #[test]
@@ -236,7 +164,7 @@ fn work_that_is_dropped_ends() {
 
 /// A study that is asked about the default scene, with the middle pixel explained if it is `probed`.
 fn ask(study: &mut Study, probed: bool, rests: bool, desk: &Desk) {
-    let mut record = SceneRecord::of(&default_scene().world);
+    let mut record = default_record();
     record.view.pixel = probed.then_some([0.0; 2]);
     let pixel = record.view.pixel_in(SMALL, SMALL[1] as f64);
     let subject = Subject {
@@ -267,25 +195,20 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     for is_probed in [false, true] {
         let mut study = live();
         ask(&mut study, is_probed, false, &desk);
-        let question = study.work.as_ref().map(|work| work.question);
-        let expected = if is_probed {
-            Question::Probe
-        } else {
-            Question::Prove
-        };
-        assert_eq!(question, Some(expected), "things move");
+        let is_proof = study
+            .work
+            .is_some_and(|work| work.question == Question::Prove);
+        assert_eq!(is_proof, !is_probed, "things move");
     }
-    let changes: [(_, fn(&mut Study), _); 4] = [
-        (true, |it| it.outdate(Change::Method), false),
-        (false, |it| it.outdate(Change::Nothing), true),
-        (false, |it| it.outdate(Change::Method), false),
-        (false, Study::clear, false),
-    ];
-    for (is_probed, change, goes_on) in changes {
+    for (is_probed, change, goes_on) in [
+        (true, Change::Method, false),
+        (false, Change::Nothing, true),
+        (false, Change::Method, false),
+    ] {
         let mut study = live();
         ask(&mut study, is_probed, true, &desk);
-        change(&mut study);
-        assert_eq!(works(study), goes_on);
+        study.outdate(change);
+        assert_eq!(works(study), goes_on, "{change:?}");
     }
     let mut study = live();
     study.facts.comparison.finish(None);
@@ -308,10 +231,8 @@ fn a_proof_goes_on_while_things_move_unless_it_is_slow() {
         std::thread::yield_now();
         study.receive(Duration::ZERO);
     }
-    assert!(
-        study.facts.proof.current().is_none(),
-        "that of the picture before"
-    );
+    let proof = study.facts.proof.current();
+    assert!(proof.is_none(), "that of the picture before");
     ask(&mut study, false, true, &Desk::default());
     let question = study.work.as_ref().map(|work| work.question);
     assert_eq!(question, Some(Question::Compare), "once nothing moves");
@@ -392,16 +313,15 @@ fn the_reason_why_a_question_has_no_answer_is_told_once() {
 
 #[test]
 fn a_pixel_of_a_scene_opens_its_tab_once() {
-    let mut record = SceneRecord::of(&default_scene().world);
-    record.view.pixel = Some([0.0; 2]);
+    let scene = changed(|record| record.view.pixel = Some([0.0; 2]));
     let mut window = Window::open();
-    window.app.document.restore(&record);
+    window.app.document.restore(&scene.record);
     window.step(Vec::new());
     assert_eq!(window.app.desk.tabs, [Tab::Pixel]);
     window.app.desk.tabs.clear();
     window.step(Vec::new());
     assert_eq!(window.app.desk.tabs, [], "the user closed it");
-    let window = Window::of(Scene::spawn("probed".to_owned(), &record), SMALL);
+    let window = Window::of(scene, SMALL);
     assert_eq!(window.app.desk.tabs, [Tab::Pixel]);
 }
 
@@ -426,10 +346,9 @@ fn a_step_is_due_when_something_is() {
 
 #[test]
 fn different_modes_are_mixed_until_a_key_makes_them_equal() {
-    let mut record = SceneRecord::of(&default_scene().world);
     let other = records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]);
-    record.cuboid.push(other);
-    let mut window = Window::of(Scene::spawn("two".to_owned(), &record), SMALL);
+    let two = changed(|record| record.cuboid.push(other));
+    let mut window = Window::of(two, SMALL);
     let mode = |window: &Window| common_mode(&window.app.document.scene.world);
     assert_eq!(mode(&window), None);
     // The first one has this mode already.

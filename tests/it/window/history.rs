@@ -9,7 +9,7 @@ use shadetrade::components::{LightKind, Side};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::document::{State, history};
 
-use super::{PAUSE, Window};
+use super::{PAUSE, Window, default_record};
 use crate::support::records;
 use crate::support::window::default_scene;
 
@@ -103,24 +103,18 @@ fn undo_does_not_change_rotation_and_pixel() {
 #[test]
 fn an_undone_change_is_named() {
     type Change = fn(&mut SceneRecord);
+    let off: Change = |it| it.light.iter_mut().for_each(|it| it.on = false);
+    let several: Change = |it| (it.light[1].gain, it.background.x) = (2.0, 3.0);
+    let sides: Change = |it| (it.view.tolerance, it.view.sides) = (1.0, Side::gouraud_phong(1.0));
     let changes: [(Change, &str); 8] = [
         (|it| it.light[1].intensity = 3.0, "light.red.intensity"),
-        (
-            |it| it.light.iter_mut().for_each(|it| it.on = false),
-            "light.*.on",
-        ),
+        (off, "light.*.on"),
         (|it| drop(it.light.remove(0)), "light.white"),
         (|it| it.camera[0].name = "c".to_owned(), "camera.*"),
         (|it| it.cuboid[0].size *= 2.0, "cuboid.emerald.size.*"),
         (|it| it.background.x = 3.0, "background.r"),
-        (
-            |it| (it.light[1].gain, it.background.x) = (2.0, 3.0),
-            "several changes",
-        ),
-        (
-            |it| (it.view.tolerance, it.view.sides) = (1.0, Side::gouraud_phong(1.0)),
-            "view.tolerance",
-        ),
+        (several, "several changes"),
+        (sides, "view.tolerance"),
     ];
     for (change, words) in changes {
         let mut window = Window::open();
@@ -154,7 +148,7 @@ fn steps_after(edits: u32, record: &SceneRecord) -> usize {
 
 #[test]
 fn ten_thousand_edits_keep_no_more_states_than_the_memory_limit_allows() {
-    let record = SceneRecord::of(&default_scene().world);
+    let record = default_record();
     let steps = steps_after(10_000, &record);
     assert!((400..=500).contains(&steps), "{steps}");
     // 64 MiB in states of 512 bytes per entity.

@@ -8,7 +8,7 @@ use egui_kittest::kittest::Queryable;
 use shadetrade::scene::{BUILT_IN, LESSONS, Scene, title};
 use shadetrade::window::app::App;
 
-use super::{PAUSE, SIZE, Window, press};
+use super::{PAUSE, SIZE, Window, choose, press};
 use crate::support::window::widgets;
 
 const LESSON: &str = r#"scene = "cuboid"
@@ -49,11 +49,8 @@ fn keys_go_on_and_back_and_a_step_shows_the_scene_as_the_lesson_has_it() {
     assert!(window.message().contains("no such step"));
     window.press(Key::W);
     window.press(Key::Backspace);
-    assert_eq!(
-        window.record(),
-        *steps[0].record,
-        "the user's change is gone"
-    );
+    let is_gone = window.record() == *steps[0].record;
+    assert!(is_gone, "the user's change");
     window.wait(PAUSE);
     window.undo();
     assert!(window.record().light[0].on, "and undo has it");
@@ -89,14 +86,12 @@ fn a_lesson_is_alone_until_a_key_brings_the_rest() {
 #[test]
 fn a_step_shows_its_controls_and_they_act() {
     let mut harness = widgets(open().app, SIZE);
-    let segments =
-        |harness: &Harness<App>| harness.state().document.state.cuboid[0].segments.count();
     harness.get_by_label_contains("more").click();
     harness.run_ok();
-    assert_eq!(segments(&harness), 2);
+    let cuboids = &harness.state().document.state.cuboid;
+    assert_eq!(cuboids[0].segments.count(), 2);
     assert!(shows(&harness, "2 segments"));
-    harness.get_by_label("white diffuse").click();
-    harness.run_ok();
+    choose(&mut harness, "white diffuse");
     assert!(!harness.state().document.state.light[0].on);
     press(&mut harness, Key::Enter);
     assert!(!shows(&harness, "2 segments") && !shows(&harness, "more"));
@@ -110,8 +105,7 @@ fn the_answer_is_told_once_one_is_chosen() {
     let size = harness.state().canvas.size();
     for wrong_or_right in ["light", "dark"] {
         assert!(!shows(&harness, "It is dark."));
-        harness.get_by_label(wrong_or_right).click();
-        harness.run_ok();
+        choose(&mut harness, wrong_or_right);
         assert!(shows(&harness, "It is dark."));
         assert_eq!(harness.state().canvas.size(), size, "the picture stays");
         press(&mut harness, Key::Backspace);

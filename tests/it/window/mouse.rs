@@ -2,30 +2,24 @@
 
 use egui::{Key, Modifiers, Pos2, vec2};
 use shadetrade::components::{Light, LightKind, ShadingMode, Transform};
-use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::scene::Scene;
 use shadetrade::systems::frame::display_step;
-use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::lights::{Lamp, drag_light, lamps};
 
-use super::{PAUSE, SIZE, Window};
+use super::{PAUSE, SIZE, Window, changed};
 use crate::support::records;
-use crate::support::window::default_scene;
 
 /// A window on the default scene with a light at this height above the cuboid; one at 2 is in sight.
 fn with_light_at(height: f64) -> Window {
-    let mut record = SceneRecord::of(&default_scene().world);
     let light = records::light("near", LightKind::Diffuse, 50.0, [0.0, height, 1.0]);
-    record.light.push(light);
-    Window::of(Scene::spawn("lit".to_owned(), &record), SIZE)
+    Window::of(changed(|record| record.light.push(light)), SIZE)
 }
 
 /// The discs of the lights in sight.
 fn discs(window: &Window) -> Vec<Lamp> {
-    let App {
-        document, canvas, ..
-    } = &window.app;
-    let mut discs = lamps(&document.scene.world, &window.app.view(), canvas);
+    let app = &window.app;
+    let mut discs = lamps(&app.document.scene.world, &app.view(), &app.canvas);
     discs.retain(|lamp| lamp.way.is_none());
     discs
 }

@@ -12,15 +12,15 @@ use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 
-use super::press;
 use super::widgets::number;
+use super::{default_record, drag, press, widgets_of};
 use crate::support::window::{app, default_scene, widgets};
 
 const SIZE: [usize; 2] = [1400, 1000];
 
 /// The default scene with every optional number.
 fn record() -> SceneRecord {
-    let mut record = SceneRecord::of(&default_scene().world);
+    let mut record = default_record();
     record.camera.iter_mut().for_each(|it| it.near = Some(0.1));
     record.view.pixel = Some([-0.1, 0.05]);
     record
@@ -54,12 +54,8 @@ fn the_range_of_each_key_is_that_of_the_scene_format() {
     for path in paths {
         let mut keys = path.split('/').filter(|key| key.parse::<u8>().is_err());
         let (least, most) = range::of_key(keys.next_back().expect("a key")).into_inner();
-        for (number, is_within) in [
-            (least, true),
-            (most, true),
-            (least.next_down(), false),
-            (most.next_up(), false),
-        ] {
+        for number in [least, most, least.next_down(), most.next_up()] {
+            let is_within = (least..=most).contains(&number);
             let mut changed = scene.clone();
             *changed.pointer_mut(&path).expect("a number") = json!(number);
             // JSON has no infinity, which is written as null and refused, too.
@@ -128,16 +124,12 @@ fn no_slider_and_no_drag_makes_an_illegal_number() {
 
 #[test]
 fn a_drag_beyond_the_end_of_a_range_reaches_the_end() {
-    let mut harness = widgets(app(default_scene(), SIZE, Level::new()), SIZE);
+    let mut harness = widgets_of(SIZE);
     press(&mut harness, Key::E);
     harness.state_mut().desk.selected = Some(("light", 0));
     harness.run_ok();
     let from = number(&harness, "intensity", 0);
-    harness.hover_at(from);
-    harness.drag_at(from);
-    harness.run_ok();
-    harness.hover_at(from - vec2(9000.0, 0.0));
-    harness.run_ok();
+    drag(&mut harness, &[from, from - vec2(9000.0, 0.0)]);
     let now = SceneRecord::of(&harness.state().document.scene.world);
     assert_eq!(now.light[0].intensity, 0.0);
 }

@@ -1,43 +1,32 @@
-//! Each room of the window by itself: document, canvas, study, choice, and two panels of what they show.
+//! Rooms of the window by themselves: document, canvas and study.
 
 use std::sync::Arc;
 use std::time::Duration;
 
-use egui::{Pos2, Rect, Ui};
-use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui::{Pos2, Rect};
 use fearless_simd::Level;
-use hecs::World;
 use shadetrade::components::NormalMode::Face;
-use shadetrade::components::ShadingMode::{Gouraud, Phong};
-use shadetrade::components::{
-    Light, ShadingMode, Side, View, ViewMode, common_mode, ordered, viewer_mut,
-};
+use shadetrade::components::ShadingMode::Phong;
+use shadetrade::components::{Light, Side, View, ViewMode, ordered, viewer_mut};
 use shadetrade::output::paint::area;
-use shadetrade::questions::trade::verdict::method_name;
 use shadetrade::scene::SceneRecord;
-use shadetrade::shading::Method;
 use shadetrade::systems::frame::Workers;
 use shadetrade::window::canvas::{Canvas, REST};
-use shadetrade::window::chart::chart;
-use shadetrade::window::choice::Choice;
 use shadetrade::window::comparison::Comparison;
-use shadetrade::window::controls::shade;
 use shadetrade::window::desk::Desk;
 use shadetrade::window::document::{Document, has_edits};
 use shadetrade::window::facts::{Change, Facts, change};
 use shadetrade::window::keys::EXACT_SIDES;
-use shadetrade::window::panel::light_rows;
 use shadetrade::window::study::{Runner, Study, Subject};
 
-use super::trade::trade;
+use super::default_record;
 use crate::support::window::default_scene;
 
 const VIEW: [usize; 2] = [64, 48];
 
 /// The default scene after a change, as it is written down.
 fn record_after(edit: impl FnOnce(&mut SceneRecord)) -> Arc<SceneRecord> {
-    let mut record = SceneRecord::of(&default_scene().world);
+    let mut record = default_record();
     edit(&mut record);
     Arc::new(record)
 }
@@ -60,11 +49,8 @@ fn a_document_notes_edits_names_what_is_undone_and_takes_back_what_no_scene_may_
     document.note();
     let edited = Arc::clone(&document.state);
     viewer_mut(&mut document.scene.world).tolerance = -1.0;
-    assert!(
-        document
-            .note()
-            .is_some_and(|reason| reason.contains("tolerance"))
-    );
+    let reason = document.note().expect("it is refused");
+    assert!(reason.contains("tolerance"), "{reason}");
     assert_eq!(SceneRecord::of(&document.scene.world), *edited);
 }
 
@@ -114,11 +100,8 @@ fn a_canvas_finds_its_pixels_at_their_places() {
     for pixel in [[0, 0], [63, 0], [17, 30], [63, 47]] {
         assert_eq!(canvas.pixel_at(canvas.place_of(pixel)), pixel);
     }
-    assert_eq!(
-        canvas.pixel_at(Pos2::new(-5.0, 100.0)),
-        [0, 47],
-        "the nearest"
-    );
+    let nearest = canvas.pixel_at(Pos2::new(-5.0, 100.0));
+    assert_eq!(nearest, [0, 47]);
 }
 
 #[test]
@@ -228,17 +211,16 @@ fn a_change_is_as_great_as_the_facts_that_it_outdates() {
 }
 
 #[test]
-fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method() {
+fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another() {
     let record = record_after(|it| it.view.pixel = Some([0.0; 2]));
-    let desk = Desk::default();
     let mut study = Study::new(Runner::AtOnce).expect("it takes no threads");
     let subject = Subject {
         name: "default",
         record: &record,
         view: View::of(&record.spawn(), VIEW),
         fit: 1.0,
-        pixel: Some(([32, 24], Side::Picture)),
-        method: Some(Method::of(Gouraud, 0.5)),
+        pixel: None,
+        method: None,
         workers: &Workers::alone(Level::new()),
         rests: false,
     };
@@ -252,70 +234,9 @@ fn a_study_keeps_the_answers_about_a_row_and_forgets_those_about_another_method(
             pixel: Some((pixel, side)),
             ..subject
         };
-        study.ask(&asked, &desk);
+        study.ask(&asked, &Desk::default());
         let (of, probes) = study.facts.section.current().expect("an answer");
         assert!(*of == side && probes.iter().all(|it| it.pixel[1] == row));
         assert!(study.facts.probed(Some(pixel)).is_some());
     }
-    study.facts.trade.finish(Some(trade()));
-    study.outdate(Change::Method);
-    assert!(!study.facts.section.is_current);
-    assert!(study.facts.trade.is_current, "it is of every method");
-    study.outdate(Change::Scene);
-    assert!(!study.facts.trade.is_current);
-}
-
-#[test]
-fn a_choice_keeps_a_budget_and_goes_to_a_faster_method_when_a_frame_was_over_it() {
-    let world = default_scene().world;
-    let (mut choice, mut facts) = (Choice::default(), Facts::default());
-    let own = choice.method(&world);
-    choice.hold(Some(0.45), &facts, None);
-    assert_eq!(choice.method(&world), own, "nothing is measured");
-    facts.trade.finish(Some(trade()));
-    choice.hold(Some(0.45), &facts, None);
-    assert_eq!(choice.method(&world), Some(Method::of(Phong, 0.5)));
-    facts.trade.is_current = false;
-    choice.hold(Some(0.45), &facts, Some(0.44));
-    assert_eq!(choice.method(&world), Some(Method::of(Phong, 0.5)));
-    choice.hold(Some(0.45), &facts, Some(0.9));
-    // Frames take twice their time: Gouraud alone still keeps it.
-    assert_eq!(choice.method(&world), Some(Method::of(Gouraud, 0.5)));
-    choice.hold(None, &facts, None);
-    assert_eq!(choice.method(&world), own);
-}
-
-#[test]
-fn the_rows_of_lights_switch_the_lights_of_a_world() {
-    let world = default_scene().world;
-    let rows = |ui: &mut Ui, world: &mut World| light_rows(ui, world);
-    let mut harness = Harness::new_ui_state(rows, world);
-    let are_on = |world: &World| {
-        let mut lights = world.query::<&Light>();
-        lights.iter().filter(|light| light.on).count()
-    };
-    assert_eq!(are_on(harness.state()), 4);
-    harness.get_by_label("red diffuse").click();
-    harness.run_ok();
-    assert_eq!(are_on(harness.state()), 3);
-}
-
-#[test]
-fn the_chart_chooses_the_method_of_a_dot_in_a_world() {
-    let mut study = Study::new(Runner::AtOnce).expect("it takes no threads");
-    study.facts.trade.finish(Some(trade()));
-    let mut world = default_scene().world;
-    shade(&mut world, ShadingMode::Gouraud);
-    let mut harness = Harness::builder().with_size([300.0, 300.0]).build_ui_state(
-        move |ui, world: &mut World| {
-            chart(ui, &study, &Choice::default(), world);
-        },
-        world,
-    );
-    let chosen = Method::of(Phong, 1.0);
-    let label = format!("choose {}", method_name(chosen));
-    harness.get_by_label(&label).click();
-    harness.run_ok();
-    assert_eq!(common_mode(harness.state()), Some(Phong));
-    assert_eq!(viewer_mut(harness.state_mut()).tolerance, 1.0);
 }

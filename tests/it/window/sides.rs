@@ -6,14 +6,13 @@ use egui::Key;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use shadetrade::components::{ShadingMode, Side, ViewMode};
-use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::shading::Method;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::side_view;
 
 use super::trade::{WORST, app_with_trade};
-use super::{Window, press};
+use super::{Window, changed, choose, press};
 use crate::support::window::{default_scene, widgets};
 
 const SIZE: [usize; 2] = [1400, 800];
@@ -45,10 +44,8 @@ fn both_tags_are_whole_in_windows_of_any_width() {
             let name = harness.get_by_value(name).rect();
             name.union(harness.get_by_label(lit).rect())
         });
-        assert!(
-            tags.iter().all(|tag| place.contains_rect(*tag)),
-            "{tags:?} in {place}"
-        );
+        let are_inside = tags.iter().all(|tag| place.contains_rect(*tag));
+        assert!(are_inside, "{tags:?} in {place}");
         assert!(tags[0].max.x < tags[1].min.x, "{tags:?}");
     }
 }
@@ -83,11 +80,12 @@ fn two_pictures_take_turns_while_a_key_is_held() {
 fn a_wipe_of_what_the_reference_draws_shows_it_at_any_size() {
     let blinn = Method::of(ShadingMode::BlinnPhong, 0.0);
     for side in [Side::Reference, blinn.into()] {
-        let mut record = SceneRecord::of(&default_scene().world);
-        (record.view.show, record.view.sides) = (ViewMode::Wipe, [side, Side::Reference]);
-        record.light[2].position = Some(DVec3::new(-6.0, 6.0, 10.0));
-        record.view.divider = 0.9;
-        let mut window = Window::of(Scene::spawn("both".to_owned(), &record), SIZE);
+        let scene = changed(|record| {
+            (record.view.show, record.view.sides) = (ViewMode::Wipe, [side, Side::Reference]);
+            record.light[2].position = Some(DVec3::new(-6.0, 6.0, 10.0));
+            record.view.divider = 0.9;
+        });
+        let mut window = Window::of(scene, [600, 300]);
         for key in [Key::ArrowLeft, Key::E] {
             window.press(key);
             let exact = &window.comparison().exact;
@@ -134,10 +132,7 @@ fn a_tag_chooses_the_method_of_its_side() {
     press(&mut harness, Key::F3);
     harness.get_by_value("Phong within half a level").click();
     harness.run_ok();
-    harness
-        .get_by_label("Reference: exact Phong in f64")
-        .click();
-    harness.run_ok();
+    choose(&mut harness, "Reference: exact Phong in f64");
     let sides = harness.state().viewer().sides;
     assert_eq!(sides, [Side::gouraud_phong(0.5)[0], Side::Reference]);
 }

@@ -1,19 +1,17 @@
 //! Everything in sight: the key for it, what is added, the outline of what is selected, and the terms of the model.
 
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
-use fearless_simd::Level;
 use glam::DVec3;
 use shadetrade::components::{LightKind, Orbit, ShadingMode, View, ViewMode};
 use shadetrade::scene::unseen::shows_all;
-use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::scene::{LightRecord, SceneRecord};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::QUARTERS;
 
-use super::{SIZE, Window};
+use super::{SIZE, Window, changed, choose, default_record, widgets_of};
 use crate::support::scene::draw;
-use crate::support::window::{app, default_scene, widgets};
+use crate::support::window::default_scene;
 
 /// The picture of this window would cut the cuboid off on the left and on the right.
 const NARROW: [usize; 2] = [300, 1500];
@@ -26,7 +24,7 @@ fn shows(window: &Window) -> bool {
 
 #[test]
 fn a_narrow_picture_shows_everything_and_leaves_the_scene_as_it_is() {
-    let scene = SceneRecord::of(&default_scene().world);
+    let scene = default_record();
     let mut window = Window::open();
     let camera = window.app.view().camera;
     window.size = NARROW;
@@ -57,10 +55,9 @@ fn a_narrow_picture_shows_everything_and_leaves_the_scene_as_it_is() {
 
 #[test]
 fn a_narrow_picture_explains_the_place_that_a_wide_one_does() {
-    let mut record = SceneRecord::of(&default_scene().world);
-    record.view.pixel = Some([0.1, -0.05]);
     let places = [SIZE, NARROW].map(|size| {
-        let mut window = Window::of(Scene::spawn("placed".to_owned(), &record), size);
+        let scene = changed(|record| record.view.pixel = Some([0.1, -0.05]));
+        let mut window = Window::of(scene, size);
         let probe = window.app.probed().expect("it is explained");
         let surface = probe.surface.as_ref().expect("a cuboid");
         let place = surface.sample.as_ref().expect("it is shaded").position;
@@ -82,12 +79,8 @@ fn the_facts_of_a_narrow_window_are_those_of_its_picture() {
     window.press(Key::F5);
     let exact = window.comparison().exact.clone();
     let mut world = window.record().spawn();
-    let view = window
-        .app
-        .view()
-        .shaded(ShadingMode::Phong)
-        .with_tolerance(0.0);
-    let drawn = draw(&mut world, &view, Keep::Display);
+    let view = window.app.view().shaded(ShadingMode::Phong);
+    let drawn = draw(&mut world, &view.with_tolerance(0.0), Keep::Display);
     let differ = |(one, other): &(&u32, &u32)| one != other;
     let differ = exact.iter().zip(drawn.pixels()).filter(differ).count();
     // Rounding to bytes may differ.
@@ -96,10 +89,8 @@ fn the_facts_of_a_narrow_window_are_those_of_its_picture() {
 
 #[test]
 fn home_steps_back_until_all_is_in_sight_and_no_further() {
-    let mut record = SceneRecord::of(&default_scene().world);
     // Too near for a picture of any width.
-    record.camera[0].fov = 15.0;
-    let mut window = Window::of(Scene::spawn("near".to_owned(), &record), SIZE);
+    let mut window = Window::of(changed(|record| record.camera[0].fov = 15.0), SIZE);
     assert!(!shows(&window));
     window.press(Key::ArrowLeft);
     window.press(Key::Home);
@@ -126,11 +117,10 @@ fn home_steps_back_until_all_is_in_sight_and_no_further() {
 fn what_is_added_is_in_sight() {
     for button in ["copy", "new cuboid"] {
         // The picture is not narrow, so its camera alone shows it.
-        let mut harness = widgets(app(default_scene(), [1900, 600], Level::new()), [1900, 600]);
+        let mut harness = widgets_of([1900, 600]);
         harness.state_mut().desk.tabs = vec![Tab::Scene];
         harness.run_ok();
-        harness.get_by_label(button).click();
-        harness.run_ok();
+        choose(&mut harness, button);
         let app = harness.state();
         let world = &app.document.scene.world;
         let record = SceneRecord::of(world);
@@ -140,10 +130,8 @@ fn what_is_added_is_in_sight() {
         // Beside each other, not within each other.
         let [one, other] = [&record.cuboid[0], &record.cuboid[1]];
         let apart = (other.position - one.position).x;
-        assert!(
-            apart >= (one.size + other.size).x / 2.0,
-            "{button}: {apart}"
-        );
+        let least = (one.size + other.size).x / 2.0;
+        assert!(apart >= least, "{button}: {apart}");
     }
 }
 
@@ -168,20 +156,12 @@ fn quarters_are_the_pictures_by_one_kind_of_lights() {
     let shown = window.app.shown().into_owned();
     let [width, height] = window.app.canvas.size();
     let size = [width.div_ceil(2), height.div_ceil(2)];
-    let lights = |window: &Window| {
-        window
-            .record()
-            .light
-            .iter()
-            .map(|it| it.on)
-            .collect::<Vec<_>>()
-    };
-    assert_eq!(lights(&window), [true; 4], "all are on again");
+    let record = window.record();
+    assert!(record.light.iter().all(|it| it.on), "all are on again");
     for (quarter, kind) in QUARTERS.into_iter().enumerate() {
-        let mut record = window.record();
-        record
-            .light
-            .retain(|it| kind.is_none_or(|kind| it.kind == kind));
+        let mut record = record.clone();
+        let is_own = |it: &LightRecord| kind.is_none_or(|kind| it.kind == kind);
+        record.light.retain(is_own);
         let mut world = record.spawn();
         let view = View::of(&world, size);
         let drawn = draw(&mut world, &view, Keep::Display);
@@ -195,5 +175,5 @@ fn quarters_are_the_pictures_by_one_kind_of_lights() {
     }
     assert_eq!(QUARTERS[3], None);
     assert!(QUARTERS.contains(&Some(LightKind::Specular)));
-    assert_eq!(window.record().view.show, ViewMode::Terms);
+    assert_eq!(record.view.show, ViewMode::Terms);
 }

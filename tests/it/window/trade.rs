@@ -4,12 +4,10 @@ use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use egui::{Event, Key, Modifiers, Pos2, RawInput};
-use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong};
 use shadetrade::components::{Segments, Side, ViewMode, common, common_mode};
 use shadetrade::output::Monitor;
-use shadetrade::output::finished;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::prove::prove;
@@ -27,7 +25,8 @@ use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::Action;
 use shadetrade::window::study::Runner;
 
-use super::{FRAME, Window, press};
+use super::{FRAME, Window};
+use crate::support::scene::done;
 use crate::support::window::{app, default_scene, places, widgets};
 use crate::trade::example::live;
 
@@ -42,21 +41,12 @@ fn plain() -> Vec<Method> {
 
 /// Milliseconds and errors of [`plain`] methods: a smaller error takes longer, except for exact Gouraud and the shortcut.
 pub fn measured() -> Vec<Measurement> {
-    let figures = [
-        (0.15, 200.0),
-        (0.8, 165.0),
-        (0.2, 165.0),
-        (0.0, 171.0),
-        (0.0, 60.0),
-        (0.31, 3.9),
-        (0.33, 1.9),
-        (0.36, 0.98),
-        (0.41, 0.49),
-        (0.5, 0.24),
-        (1.0, 0.0006),
+    let times = [0.15, 0.8, 0.2, 0.0, 0.0, 0.31, 0.33, 0.36, 0.41, 0.5, 1.0];
+    let errors = [
+        200.0, 165.0, 165.0, 171.0, 60.0, 3.9, 1.9, 0.98, 0.49, 0.24, 6e-4,
     ];
-    let methods = plain().into_iter().zip(figures);
-    let measured = methods.map(|(method, (time, error))| Measurement {
+    let methods = plain().into_iter().zip(times).zip(errors);
+    let measured = methods.map(|((method, time), error)| Measurement {
         on_front: ![0.8, 0.0].contains(&time),
         highlight_kept: Some(0.1),
         error: Some(ErrorStatistics {
@@ -118,13 +108,9 @@ fn dots_lie_by_time_and_error() {
     for (one, at) in measured.iter().zip(&dots) {
         for (other, there) in measured.iter().zip(&dots) {
             // What is not timed lies right of all others.
-            let is_timed = |it: &Measurement| it.method.mode.is_drawn();
             let time = |it: &Measurement| {
-                if is_timed(it) {
-                    it.timing.median
-                } else {
-                    100.0
-                }
+                let is_timed = it.method.mode.is_drawn();
+                if is_timed { it.timing.median } else { 100.0 }
             };
             let is_faster = time(one) < time(other);
             assert!(!is_faster || at.x < there.x, "{one:?}, {other:?}");
@@ -135,7 +121,7 @@ fn dots_lie_by_time_and_error() {
 }
 
 #[test]
-fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
+fn a_click_on_a_dot_chooses_its_method() {
     let mut window = open();
     for (method, at) in plain().iter().zip(dots()) {
         window.click(at);
@@ -148,23 +134,6 @@ fn a_click_on_a_dot_chooses_its_method_and_so_do_the_keys() {
             assert!(viewer.sides.contains(&side), "no scene asks for it");
         }
     }
-    let mut harness = widgets(app_with_trade(SIZE), SIZE);
-    let mut rest = plain();
-    rest.retain(|it| it.mode.is_drawn());
-    // At most one round through the window.
-    let mut steps = 0..200;
-    while !rest.is_empty() && steps.next().is_some() {
-        press(&mut harness, Key::Tab);
-        let is_focused = |it: &Method| {
-            let label = format!("choose {}", method_name(*it));
-            harness.get_by_label(&label).is_focused()
-        };
-        if let Some(place) = rest.iter().position(is_focused) {
-            press(&mut harness, Key::Enter);
-            assert_eq!(harness.state().method(), Some(rest.remove(place)));
-        }
-    }
-    assert_eq!(rest, []);
 }
 
 #[test]
@@ -179,22 +148,34 @@ fn the_dot_of_a_grid_gives_its_segments_to_all_cuboids() {
     assert!(ids.contains(&"gouraud-1x1-0.5") && !ids.contains(&"gouraud-8x8-0.5"));
 }
 
+/// Of a change `rooms` says which facts it outdates.
 #[test]
-fn a_trade_belongs_to_a_view_with_any_method_on_screen() {
+fn a_trade_belongs_to_a_view_with_any_method_on_screen_and_a_comparison_to_a_picture() {
     let mut window = Window::with(app_with_trade(SIZE), [430, 200]);
-    for key in [Key::P, Key::OpenBracket, Key::G, Key::F5, Key::H, Key::H] {
-        window.press(key);
-        assert!(window.app.study.facts.trade.current().is_some(), "{key:?}");
-    }
-    for key in [Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home] {
-        window.app.study.facts.trade.finish(Some(trade()));
-        window.press(key);
-        assert!(!window.app.study.facts.trade.is_current, "{key:?}");
-        let old = window.app.study.facts.measured(Method::of(Phong, 1.0));
-        assert_eq!(
-            old, None,
-            "{key:?}: its numbers are not those of this picture"
-        );
+    window.app.desk.tabs.clear();
+    for (keys, are_current) in [
+        (
+            &[Key::F3, Key::F6, Key::F2, Key::H, Key::H][..],
+            [true, true],
+        ),
+        (&[Key::P, Key::OpenBracket, Key::G], [true, false]),
+        (
+            &[Key::W, Key::O, Key::ArrowLeft, Key::C, Key::Plus, Key::Home],
+            [false, false],
+        ),
+    ] {
+        for key in keys {
+            let facts = &mut window.app.study.facts;
+            facts.trade.finish(Some(trade()));
+            facts.comparison.finish(None);
+            window.press(*key);
+            let facts = &window.app.study.facts;
+            let found = [facts.trade.is_current, facts.comparison.is_current];
+            assert_eq!(found, are_current, "{key:?}");
+            // The numbers of another picture are not told.
+            let told = facts.measured(Method::of(Phong, 1.0));
+            assert_eq!(told.is_some(), are_current[0], "{key:?}");
+        }
     }
     window.app.study.facts.trade.finish(Some(trade()));
     window.size = [430, 190];
@@ -268,16 +249,12 @@ fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_
 }
 
 /// Steps until `is_done` returns true, for ten minutes at most.
-fn run(app: &mut App, is_done: impl Fn(&App) -> bool) -> shadetrade::window::app::StepOutput {
-    run_pressing(app, &[], is_done)
+fn run(app: &mut App, is_done: impl Fn(&App) -> bool) {
+    run_pressing(app, &[], is_done);
 }
 
 /// As [`run`], with these events in each step.
-fn run_pressing(
-    app: &mut App,
-    events: &[Event],
-    is_done: impl Fn(&App) -> bool,
-) -> shadetrade::window::app::StepOutput {
+fn run_pressing(app: &mut App, events: &[Event], is_done: impl Fn(&App) -> bool) {
     let start = Instant::now();
     while start.elapsed() < Duration::from_mins(10) {
         let now = app.desk.now + FRAME;
@@ -286,9 +263,9 @@ fn run_pressing(
             ..RawInput::default()
         };
         let output = app.step(now, [300, 240], input);
-        let output = output.expect("a small picture fits");
+        output.expect("a small picture fits");
         if is_done(app) {
-            return output;
+            return;
         }
         app.carry_on(now, Duration::ZERO);
         std::thread::yield_now();
@@ -323,16 +300,15 @@ fn questions_are_answered_row_by_row_without_threads() {
     let rows = view.size[1];
     assert!(steps.get() > 3 * rows, "a piece is a row: {steps:?}");
     let compared = Comparison::of(&mut scene.world, &view, Vec::new(), level, none);
-    assert_eq!(facts.comparison.current(), finished(compared).ok().as_ref());
+    assert_eq!(facts.comparison.current(), Some(&done(compared)));
     let proof = prove(&mut scene.world, &view, None, level, none);
     let found = facts.proof.current().map(|it| &it.1);
-    assert_eq!(found, finished(proof).ok().as_ref());
-    let required = finished(part_changes(&scene, &view, none));
+    assert_eq!(found, Some(&done(proof)));
     let found = facts.required.current().expect("an answer");
     assert!(found.is_all);
-    assert_eq!(Some(&found.rows), required.ok().as_ref());
-    let segments = finished(fewest_segments(&scene, &view, none));
-    assert_eq!(facts.segments.current(), segments.ok().as_ref());
+    assert_eq!(found.rows, done(part_changes(&scene, &view, none)));
+    let segments = done(fewest_segments(&scene, &view, none));
+    assert_eq!(facts.segments.current(), Some(&segments));
     let samples = facts.trade.current().expect("an answer").methods.iter();
     let timed = samples.filter(|it| it.method.mode.is_drawn());
     let mut samples = timed.map(|it| it.timing.samples);
@@ -361,29 +337,27 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     let blinn = Method::of(BlinnPhong, 0.0);
     wipe(world, [side, Side::from(blinn)]);
     run(&mut app, |app| {
-        app.study.facts.measured(beside).is_some() && app.study.facts.comparison.current().is_some()
+        let facts = &app.study.facts;
+        facts.measured(beside).is_some() && facts.comparison.current().is_some()
     });
-    assert!(
-        known
-            .iter()
-            .all(|it| app.study.facts.measured(*it).is_some())
-    );
-    let shown = app.study.facts.measured(shown).expect("it is measured");
-    let mut world = app.document.state.spawn();
-    let view = app.view();
-    let compared = finished(Comparison::of(
+    let facts = &app.study.facts;
+    assert!(known.iter().all(|it| facts.measured(*it).is_some()));
+    let [shown, beside, blinn] = [shown, beside, blinn].map(|it| facts.measured(it));
+    let shown = shown.expect("it is measured");
+    let (mut world, view, level) = (app.document.state.spawn(), app.view(), Level::new());
+    let sides = vec![Method::of(Phong, 0.3), Method::of(BlinnPhong, 0.0)];
+    let compared = done(Comparison::of(
         &mut world,
         &view,
-        vec![beside, blinn],
-        Level::new(),
+        sides,
+        level,
         Monitor::NONE,
     ));
-    let compared = compared.expect("it fits");
-    let beside = [beside, blinn].map(|it| app.study.facts.measured(it).expect("it is measured"));
-    let error = |it: &Measurement| it.error.map(Worst::from);
-    assert_eq!(error(shown), compared.worst);
-    assert_eq!(beside.map(error), [0, 1].map(|it| compared.sides[it].1));
-    assert_eq!(app.study.facts.comparison.current(), Some(&compared));
+    let error = |it: Option<&Measurement>| it.and_then(|it| it.error).map(Worst::from);
+    assert_eq!(error(Some(shown)), compared.worst);
+    let found = [error(beside), error(blinn)];
+    assert_eq!(found, [0, 1].map(|it| compared.sides[it].1));
+    assert_eq!(facts.comparison.current(), Some(&compared));
     let [low, high] = shown.timing.interval;
     assert!(0.0 < low && low <= shown.timing.median && shown.timing.median <= high);
     assert!(shown.timing.raw.is_empty(), "each layout would copy them");
@@ -404,13 +378,10 @@ fn the_time_is_measured_for_longer_while_it_is_not_sure_and_what_does_not_fit_is
             one.timing.interval = [1.0, width];
         }
         // The finest grid does not fit.
-        let (finest, _) = trade
-            .methods
-            .iter()
-            .enumerate()
-            .max_by_key(|it| it.1.method.segments.map(Segments::count))
-            .expect("methods");
-        let finest = trade.methods.remove(finest).method;
+        let methods = trade.methods.iter().map(|it| it.method);
+        let finest = methods.max_by_key(|it| it.segments.map(Segments::count));
+        let finest = finest.expect("methods");
+        trade.methods.retain(|it| it.method != finest);
         trade.left_out = vec![LeftOut {
             method: finest,
             reason: "large".to_owned(),
@@ -424,7 +395,8 @@ fn the_time_is_measured_for_longer_while_it_is_not_sure_and_what_does_not_fit_is
             (is_idle || is_longer) && trade.is_some_and(|it| it.time >= time)
         });
         let trade = app.study.facts.trade.current().expect("an answer");
-        assert_eq!(trade.time, time, "{width}");
+        // Once measured again, it may be unsure still.
+        assert!(trade.time == time || time > BRIEF && trade.time > time);
         assert!(trade.knows(finest) && app.study.facts.measured(finest).is_none());
     }
 }

@@ -10,8 +10,8 @@ use shadetrade::scene::{Scene, SceneRecord};
 use tempfile::TempDir;
 
 use super::files::{change, edit, on_file, read, save};
-use super::{FRAME, PAUSE, SIZE, Window};
-use crate::support::window::{default_scene, widgets};
+use super::{FRAME, PAUSE, SIZE, Window, choose};
+use crate::support::window::default_scene;
 
 /// The folder of the user's in which edits are kept.
 fn state_folder(window: &Window) -> PathBuf {
@@ -45,20 +45,13 @@ fn start(folder: TempDir, path: Option<&Path>) -> Window {
 /// Clicks a button of the offer.
 #[track_caller]
 fn answer(mut window: Window, label: &str) -> Window {
-    let mut harness = widgets(window.app, SIZE);
-    harness.get_by_label(label).click();
-    harness.run_ok();
-    window.app = std::mem::replace(harness.state_mut(), Window::open().app);
+    window.with_widgets(SIZE, |it| choose(it, label));
     window.wait(PAUSE);
     window
 }
 
-fn is_offered(window: Window) -> (Window, bool) {
-    let Window { app, .. } = window;
-    let mut harness = widgets(app, SIZE);
-    let is_offered = harness.query_by_label("restore").is_some();
-    let app = std::mem::replace(harness.state_mut(), Window::open().app);
-    (Window { app, ..window }, is_offered)
+fn is_offered(window: &mut Window) -> bool {
+    window.with_widgets(SIZE, |it| it.query_by_label("restore").is_some())
 }
 
 /// The files of edits in a state folder.
@@ -132,8 +125,8 @@ fn the_file_of_edits_goes_when_they_are_saved_or_undone() {
     // Edits after it are those of the new file.
     window.press_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     edit(&mut window, 4.0);
-    let (mut window, is_offered) = is_offered(start(kill(window), Some(&path)));
-    assert!(!is_offered);
+    let mut window = start(kill(window), Some(&path));
+    assert!(!is_offered(&mut window));
     let other = path.with_file_name("mine-2.toml");
     window.choose(Scene::load_path(&other).expect("a scene"));
     let window = answer(window, "restore");
@@ -171,8 +164,8 @@ fn edits_of_a_window_that_ended_are_offered_until_they_are_restored_or_discarded
         window.redo();
         window.wait(PAUSE);
         assert_eq!(edits(&window), edited);
-        let (window, is_left) = is_offered(answer(start(kill(window), path), "discard"));
-        assert!(!is_left && kept(&window).is_empty());
+        let mut window = answer(start(kill(window), path), "discard");
+        assert!(!is_offered(&mut window) && kept(&window).is_empty());
         assert_eq!(window.record(), saved);
     }
 }
@@ -213,11 +206,8 @@ fn edits_that_cannot_be_written_are_told_once_and_hold_the_window() {
     fs::write(folder.path().join("state"), "a file in its place").expect("written");
     let mut window = start(folder, None);
     edit(&mut window, 3.0);
-    assert!(
-        window.message().contains("cannot be written"),
-        "{}",
-        window.message()
-    );
+    let message = window.message();
+    assert!(message.contains("cannot be written"), "{message}");
     window.app.desk.message = None;
     window.wait(PAUSE);
     edit(&mut window, 4.0);
@@ -257,6 +247,6 @@ fn a_scene_has_one_file_whatever_the_way_to_it() {
     edit(&mut window, 3.0);
     let folder = path.with_file_name("folder");
     fs::create_dir(&folder).expect("made");
-    let (_, is_offered) = is_offered(start(kill(window), Some(&folder.join("../mine.toml"))));
-    assert!(is_offered);
+    let mut window = start(kill(window), Some(&folder.join("../mine.toml")));
+    assert!(is_offered(&mut window));
 }

@@ -13,14 +13,14 @@ use shadetrade::window::desk::Desk;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{Action, BINDINGS};
 
-use super::{PAUSE, Window, press};
+use super::{PAUSE, Window, click_at, default_record, drag, press, widgets_of};
 use crate::support::window::{app, default_scene, places, widgets};
 
 /// A size in which every section and tab is visible.
 const SIZE: [usize; 2] = [1400, 1400];
 
 fn open() -> Harness<'static, App> {
-    widgets(app(default_scene(), SIZE, Level::new()), SIZE)
+    widgets_of(SIZE)
 }
 
 /// The record of the world. The document has noted it.
@@ -30,15 +30,6 @@ fn record(harness: &Harness<App>) -> SceneRecord {
     let record = SceneRecord::of(&document.scene.world);
     assert_eq!(*document.state, record);
     record
-}
-
-fn click_at(harness: &mut Harness<App>, at: Pos2) {
-    harness.hover_at(at);
-    harness.run_ok();
-    harness.drag_at(at);
-    harness.run_ok();
-    harness.drop_at(at);
-    harness.run_ok();
 }
 
 /// Clicks the widget with this label.
@@ -87,8 +78,7 @@ pub fn number(harness: &Harness<App>, label: &str, column: usize) -> Pos2 {
 
 #[test]
 fn every_button_does_what_its_key_does() {
-    let size = [900, 1600];
-    let mut harness = widgets(app(default_scene(), size, Level::new()), size);
+    let mut harness = widgets_of([900, 1600]);
     let headings = [Tab::Time, Tab::Pictures, Tab::Camera, Tab::Scene];
     harness.state_mut().desk.tabs = headings.to_vec();
     harness.run_ok();
@@ -96,17 +86,15 @@ fn every_button_does_what_its_key_does() {
     let mut count = 0;
     for (name, _, keys) in BINDINGS.iter().flat_map(|section| section.1) {
         let (modifiers, key, action) = keys[0];
-        // They write files, and act while they are held.
-        let is_other = matches!(
-            action,
-            Action::Save
-                | Action::SaveAs
-                | Action::Blink
-                | Action::Screenshot
-                | Action::SavePicture
-        );
-        // The editor has rows of lights.
-        let is_other = is_other || matches!(action, Action::LightNamed(_));
+        // They write files, act while they are held, or have rows in the editor, too.
+        let others = [
+            Action::Save,
+            Action::SaveAs,
+            Action::Blink,
+            Action::Screenshot,
+            Action::SavePicture,
+        ];
+        let is_other = others.contains(&action) || matches!(action, Action::LightNamed(_));
         if places(&harness, name).is_empty() || is_other {
             continue;
         }
@@ -172,12 +160,7 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
         ("a new light", |it| click(it, "new light")),
         ("a drag of the picture", |it| {
             let middle = it.state().canvas.place.center();
-            it.drag_at(middle);
-            it.run_ok();
-            it.hover_at(middle + vec2(60.0, 30.0));
-            it.run_ok();
-            it.drop_at(middle + vec2(60.0, 30.0));
-            it.run_ok();
+            drag(it, &[middle, middle + vec2(60.0, 30.0)]);
         }),
     ];
     let mut harness = open();
@@ -196,47 +179,13 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
 }
 
 #[test]
-fn lists_of_choices_change_the_record() {
-    type Change = fn(&mut Viewer);
-    let clicks: [(&str, Change); 2] = [
-        ("orthographic", |it| it.projection = Projection::ALL[1]),
-        ("perspective", |it| it.projection = Projection::ALL[0]),
-    ];
-    let mut harness = open();
-    click(&mut harness, "Camera");
-    let mut expected = record(&harness);
-    for (label, change) in clicks {
-        change(&mut expected.view);
-        click(&mut harness, label);
-        assert_eq!(record(&harness), expected, "{label}");
-    }
-    for (label, tab) in [
-        ("Needed parts", Tab::Required),
-        ("Numbers", Tab::Pixel),
-        ("Proof", Tab::Proof),
-    ] {
-        click(&mut harness, label);
-        assert!(harness.state().desk.is_open(tab));
-    }
-    for on in [false, true] {
-        expected.light[1].on = on;
-        click(&mut harness, "red");
-        assert_eq!(record(&harness), expected);
-    }
-    let has = |key: &&str| harness.query_all_by_value(key).next().is_some();
-    assert!(["W", "R", "S", "A"].iter().all(has));
-}
-
-#[test]
 fn the_tolerance_is_typed_and_dragged() {
     let mut harness = open();
     click(&mut harness, "Time and error");
-    enter(&mut harness, "tolerance", 0, "2");
-    assert_eq!(harness.state().viewer().tolerance, 2.0);
-    enter(&mut harness, "tolerance", 0, "0");
-    assert_eq!(harness.state().viewer().tolerance, 0.0);
-    enter(&mut harness, "tolerance", 0, "1000");
-    assert_eq!(harness.state().viewer().tolerance, 255.0);
+    for (text, tolerance) in [("2", 2.0), ("0", 0.0), ("1000", 255.0)] {
+        enter(&mut harness, "tolerance", 0, text);
+        assert_eq!(harness.state().viewer().tolerance, tolerance);
+    }
     let mut sliders = harness.query_all_by(|node| node.role() == Role::Slider);
     let slider = sliders.next().expect("a slider").rect();
     drop(sliders);
@@ -299,7 +248,9 @@ fn entities_are_copied_renamed_and_deleted() {
     // A new one comes in sight in a long list.
     let mut many = start.clone();
     many.light = vec![start.light[0].clone(); 60];
-    (many.light.iter_mut().enumerate()).for_each(|(place, it)| it.name = format!("own {place}"));
+    for (index, light) in many.light.iter_mut().enumerate() {
+        light.name = format!("own {index}");
+    }
     harness.state_mut().document.restore(&many);
     harness.run_ok();
     click(&mut harness, "new light");
@@ -391,7 +342,7 @@ pub fn numbers_are_typed_within_their_range() {
 #[test]
 fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     let mut scene = default_scene();
-    let mut start = SceneRecord::of(&scene.world);
+    let mut start = default_record();
     start.cuboid[0].position.x = 0.123_456_789_012;
     start.light[0].intensity = 1_234.567_891;
     start.view.tolerance = 0.123_456_789;
