@@ -34,7 +34,6 @@ pub use self::mesh::{FACES, Mesh, TRIANGLES, TriangleId, axes_along, outward_sig
 pub use self::orbit::Orbit;
 pub use self::surface::{
     Material, NormalMode, Normals, Polygon, Projected, Segments, ShadingMode, VertexColors,
-    common_mode,
 };
 pub use self::transform::{Transform, WorldTransform};
 pub use self::vector::{length, unit};

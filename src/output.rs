@@ -8,7 +8,6 @@ pub mod memory;
 pub mod paint;
 mod png;
 pub mod progress;
-pub mod tables;
 pub mod words;
 
 use std::ffi::OsString;
@@ -20,7 +19,7 @@ use serde::Serialize;
 
 pub use self::progress::{CANCELLED, Monitor, finished};
 pub use crate::output::files::one_line;
-pub use png::encode_png;
+pub use png::{MAX_SIDE, PngPicture, encode_png, read_png};
 
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]

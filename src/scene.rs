@@ -18,14 +18,14 @@ mod save;
 pub mod unseen;
 mod world;
 
-use std::io::{self, ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{anyhow, bail, ensure};
 use hecs::World;
 
-pub use self::check::{MAX_SIDE, Mistake};
+pub use self::check::Mistake;
 pub use self::lesson::{Control, LESSONS, Question, Step, title};
 pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
@@ -177,7 +177,7 @@ fn built_in(path: &Path) -> Option<&'static (&'static str, &'static str)> {
 /// Reads the file of a scene or a lesson. If it is not there, the error has the names of those built in.
 fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Result<String> {
     let name = path.to_string_lossy();
-    let bytes = read(path, LARGEST).map_err(|cause| {
+    let bytes = files::read(path, LARGEST).map_err(|cause| {
         let names: Vec<&str> = built_in.iter().map(|(name, _)| *name).collect();
         let hint = match (cause.kind(), kind) {
             (ErrorKind::NotFound, "scene") => {
@@ -196,28 +196,6 @@ fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Resu
         let message = "not UTF-8, expected a text in UTF-8";
         anyhow!(error::located(&name, &text, &mark, message))
     })
-}
-
-/// Reads a file of at most `largest` MiB. An endless device is refused, too.
-///
-/// # Errors
-/// If it is larger or cannot be read.
-pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
-    read_from(files::open(path)?, largest)
-}
-
-/// Reads at most `largest` MiB to the end.
-///
-/// # Errors
-/// If there are more, or they cannot be read.
-pub fn read_from(source: impl Read, largest: u64) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    source.take((largest << 20) + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > largest << 20 {
-        let message = format!("it is larger than {largest} MiB");
-        return Err(io::Error::new(ErrorKind::FileTooLarge, message));
-    }
-    Ok(bytes)
 }
 
 /// The first sentence of the comment at the head of a file.

@@ -15,10 +15,9 @@ use clap::builder::{
 use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::components::common;
-use crate::output::Output;
+use crate::output::{Output, PngPicture, read_png};
 use crate::questions::export;
 use crate::questions::job::Drawing;
-use crate::questions::prove::{PngPicture, read_png};
 use crate::questions::trade;
 use crate::questions::vary;
 use crate::questions::vary::picture::Contender;
@@ -171,7 +170,6 @@ impl TradeOptions {
             methods,
             time: self.seconds,
             is_report: true,
-            must_fit: self.methods.is_some(),
         })
     }
 }

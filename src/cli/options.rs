@@ -17,12 +17,12 @@ use crate::components::{
     NormalMode, Projection, Segments, ShadingMode, Viewer, overwrite, viewer_mut,
 };
 use crate::output::files::check_place;
-use crate::output::{Output, one_line};
+use crate::output::{MAX_SIDE, Output, one_line};
 use crate::questions::job::Drawing;
 use crate::questions::job::MAX_THREADS;
 use crate::questions::job::all_cores;
 use crate::scene::key::{self, Key};
-use crate::scene::{BUILT_IN, MAX_SIDE, Scene, SceneRecord};
+use crate::scene::{BUILT_IN, Scene, SceneRecord};
 use crate::shading::simd;
 
 /// The scene and the view on the command line.

@@ -3,10 +3,8 @@
 use std::ops::RangeInclusive;
 
 use glam::{DMat3, DVec3};
-use hecs::World;
 use serde::{Deserialize, Serialize};
 
-use super::entity::common;
 use super::mesh::{FACES, Mesh, outward_sign};
 use super::range::{Shininess, Strength};
 
@@ -65,11 +63,6 @@ impl ShadingMode {
             ShadingMode::Phong | ShadingMode::UnitVectors | ShadingMode::BlinnPhong => "phong",
         }
     }
-}
-
-/// The mode of all cuboids; `None` if they differ, or if there is none.
-pub fn common_mode(world: &World) -> Option<ShadingMode> {
-    common(world)
 }
 
 /// The definition of a cuboid's vertex normals.

@@ -6,6 +6,7 @@ mod browser;
 mod system;
 
 use std::ffi::OsStr;
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 use web_time::SystemTime;
@@ -37,4 +38,26 @@ pub fn folder_of(path: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
+}
+
+/// Reads a file of at most `largest` MiB. An endless device is refused, too.
+///
+/// # Errors
+/// If it is larger or cannot be read.
+pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
+    read_from(open(path)?, largest)
+}
+
+/// Reads at most `largest` MiB to the end.
+///
+/// # Errors
+/// If there are more, or they cannot be read.
+pub fn read_from(source: impl Read, largest: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    source.take((largest << 20) + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > largest << 20 {
+        let message = format!("it is larger than {largest} MiB");
+        return Err(io::Error::new(ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
 }

@@ -17,8 +17,7 @@ use toml::Table;
 use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names, viewer_mut};
 use crate::output::Monitor;
 use crate::output::finished;
-use crate::output::progress::with_bar;
-use crate::output::{self, Output, print};
+use crate::output::{Output, print};
 use crate::questions::prove::{Example, Proof, Verdict, prove_at};
 use crate::scene::{EXTREMES, Scene, first_sentence};
 use crate::shading::limit;
@@ -148,28 +147,21 @@ pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
 /// # Errors
 /// If one of them fails, or the result cannot be printed.
 pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<()> {
-    let outcomes = if as_json {
-        let outcomes = with_bar(async |monitor| {
-            let outcomes = extremes.iter().enumerate().map(|(index, extreme)| {
-                (monitor.progress)("proving extremes", index as f64 / extremes.len() as f64);
-                extreme.outcome(level)
-            });
-            Ok(outcomes.collect::<Vec<_>>())
-        })?;
-        Output::Stdout.write(output::json(&outcomes)?)?;
-        outcomes
-    } else {
-        let outcomes = extremes.iter().map(|extreme| {
-            let outcome = extreme.outcome(level);
+    let mut outcomes = Vec::with_capacity(extremes.len());
+    for extreme in extremes {
+        let outcome = extreme.outcome(level);
+        if !as_json {
             Output::Stdout.write(format!("{outcome}\n"))?;
-            Ok(outcome)
-        });
-        let outcomes = outcomes.collect::<anyhow::Result<Vec<_>>>()?;
-        let passed = outcomes.iter().filter(|outcome| outcome.pass).count();
-        Output::Stdout.write(format!("\n{passed} of {} pass\n", outcomes.len()))?;
-        outcomes
-    };
-    all_pass(&outcomes)
+        }
+        outcomes.push(outcome);
+    }
+    let failed = outcomes.iter().filter(|outcome| !outcome.pass).count();
+    let passed = outcomes.len() - failed;
+    print(&outcomes, as_json, None, || {
+        format!("\n{passed} of {} pass", outcomes.len())
+    })?;
+    ensure!(failed == 0, "{failed} of the extremes fail");
+    Ok(())
 }
 
 /// The command with `--list`: prints the names, each with what the scene is.
@@ -189,14 +181,6 @@ pub fn list(extremes: &[Extreme], as_json: bool) -> anyhow::Result<()> {
         .iter()
         .map(|(name, says)| json!({ "name": name, "says": says }));
     print(&record.collect::<Vec<_>>(), as_json, None, lines)
-}
-
-/// # Errors
-/// If one of them failed.
-pub fn all_pass(outcomes: &[Outcome]) -> anyhow::Result<()> {
-    let failed = outcomes.iter().filter(|outcome| !outcome.pass).count();
-    ensure!(failed == 0, "{failed} of the extremes fail");
-    Ok(())
 }
 
 impl Display for Outcome {

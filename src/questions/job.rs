@@ -1,14 +1,16 @@
 //! The checked input of every command that draws: a scene, the size of the picture, threads and SIMD level.
 
+use std::fmt::{self, Display, Formatter};
 use std::num::NonZero;
 use std::thread::available_parallelism;
 
 use anyhow::Context;
 use fearless_simd::Level;
 use hecs::World;
+use serde::Serialize;
 
 use crate::components::{
-    Name, NormalMode, Segments, ShadingMode, View, active_camera, common, common_mode, get,
+    Name, NormalMode, Projection, Segments, ShadingMode, View, active_camera, common, get,
 };
 use crate::output::{one_line, say};
 use crate::scene::Scene;
@@ -30,49 +32,72 @@ pub struct Drawing {
     pub level: Level,
 }
 
+/// The heading of a report: the scene, and from where it is seen.
+#[derive(Clone, Debug, Serialize)]
+pub struct Heading {
+    pub scene: String,
+    pub camera: String,
+    pub projection: Projection,
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+}
+
+impl Display for Heading {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        let [scene, camera] = [&self.scene, &self.camera].map(one_line);
+        let (projection, [width, height]) = (self.projection.name(), self.size);
+        write!(
+            formatter,
+            "{scene}, camera {camera}, {projection}, {width}x{height}"
+        )
+    }
+}
+
 impl Drawing {
     /// The view of a frame.
     pub fn view(&self) -> View {
         View::of(&self.scene.world, self.size)
     }
 
-    /// The shading mode of all cuboids, or `scene` if they differ.
-    pub fn mode(&self) -> &'static str {
-        common_mode(&self.scene.world).map_or("scene", ShadingMode::name)
+    /// The heading of a report on it.
+    pub fn heading(&self) -> Heading {
+        Heading {
+            scene: self.scene.name.clone(),
+            camera: camera_name(&self.scene.world),
+            projection: self.view().projection,
+            size: self.size,
+        }
     }
 
-    /// The normals in words; nothing if all are corner normals.
-    pub fn normals(&self) -> &'static str {
-        match common(&self.scene.world) {
+    /// The shading mode of all cuboids, or `scene` if they differ.
+    pub fn mode(&self) -> &'static str {
+        common(&self.scene.world).map_or("scene", ShadingMode::name)
+    }
+
+    /// The picture in words: the heading, shading and tolerance. Corner normals and one segment go without saying.
+    pub fn subject(&self) -> String {
+        let world = &self.scene.world;
+        let normals = match common(world) {
             Some(NormalMode::Corner) => "",
             Some(NormalMode::Face) => ", face normals",
             None => ", corner and face normals",
-        }
-    }
-
-    /// The number of segments in words; nothing if it is 1 everywhere.
-    pub fn segments(&self) -> String {
-        match common::<Segments>(&self.scene.world).map(Segments::count) {
+        };
+        let segments = match common::<Segments>(world).map(Segments::count) {
             Some(1) => String::new(),
             Some(count) => format!(", {count} segments"),
             None => ", different segments".to_owned(),
-        }
+        };
+        let (heading, mode, tolerance) = (self.heading(), self.mode(), self.view().tolerance);
+        format!("{heading}, {mode}{normals}{segments}, tolerance {tolerance}")
     }
 
-    /// The picture in words: scene, camera, projection, size, shading and tolerance.
-    pub fn subject(&self) -> String {
-        let view = self.view();
-        let [width, height] = view.size;
-        format!(
-            "{}, camera {}, {}, {width}x{height}, {}{}{}, tolerance {}",
-            one_line(&self.scene.name),
-            one_line(camera_name(&self.scene.world)),
-            view.projection.name(),
-            self.mode(),
-            self.normals(),
-            self.segments(),
-            view.tolerance
-        )
+    /// A drawing of the present state, to be changed.
+    #[must_use]
+    pub fn snapshot(&self) -> Drawing {
+        Drawing {
+            scene: self.scene.snapshot(),
+            ..*self
+        }
     }
 
     /// Says on standard error why nothing is seen, if that is so in a picture with so many pixels of cuboids.

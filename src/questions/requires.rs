@@ -18,65 +18,20 @@
 //! [`segments`] compares Gouraud on ever finer grids in the same way.
 
 pub mod command;
+mod parts;
 pub mod segments;
 
 use serde::Serialize;
 
-use crate::components::{Mesh, NormalMode, ShadingMode, View, ordered};
+use self::parts::rule;
+pub use self::parts::{Part, parts, without};
+use crate::components::{Mesh, View, ordered};
 use crate::output::Monitor;
 use crate::questions::metrics::{difference, ends};
-use crate::reference::{Interval, Real, Reference, Rule, Seen};
-use crate::scene::{Scene, SceneRecord};
+use crate::reference::{Interval, Real, Reference, Seen};
+use crate::scene::Scene;
 use crate::shading::limit;
 use crate::systems::frame::display_pixel;
-
-/// A part of the model. Cuboids and lights are given by their index in the file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// A light that is on. Without the part it is off.
-    Light(usize),
-    /// A rule of the reference. [`Rule`] defines the picture without it.
-    Rule(Rule),
-    /// Corner normals of a cuboid. Without the part it has face normals.
-    CornerNormals(usize),
-    /// Phong shading of a cuboid. Without the part it is shaded by Gouraud.
-    EveryPixel(usize),
-    /// A cuboid. Without the part the surfaces behind it are visible.
-    Cuboid(usize),
-    /// f64. Without the part the reference is evaluated in f32; only a cuboid's bounds on the screen stay intervals.
-    F64,
-}
-
-impl Part {
-    /// Whether a scene file can leave the part out.
-    pub fn is_in_file(self) -> bool {
-        !matches!(self, Part::Rule(_) | Part::F64)
-    }
-
-    /// A sentence about the picture without the part.
-    pub fn says(self) -> &'static str {
-        match self {
-            Part::Light(_) => "Without it this light is off.",
-            Part::Rule(Rule::SpecularGate) => "Without it highlights are seen where n.l <= 0, too.",
-            Part::Rule(Rule::DiffuseClamp) => "Without it a light behind a face takes light away.",
-            Part::Rule(Rule::Reflection) => {
-                "Without it every highlight is by n.h, with four times the shininess (Blinn-Phong)."
-            }
-            Part::Rule(Rule::UnitNormal) => "Without it interpolated normals are shorter than 1.",
-            Part::Rule(Rule::PerspectiveCorrect) => {
-                "Without it all is interpolated linearly on the screen."
-            }
-            Part::Rule(Rule::DepthTest) => "Without it the last cuboid of the file is in front.",
-            Part::Rule(Rule::NearPlane) => "Without it nothing is cut at the near plane.",
-            Part::CornerNormals(_) => {
-                "Without it this cuboid has face normals: its edges are sharp."
-            }
-            Part::EveryPixel(_) => "Without it this cuboid is shaded by Gouraud.",
-            Part::Cuboid(_) => "Without it this cuboid is not drawn.",
-            Part::F64 => "Without it all is computed in f32.",
-        }
-    }
-}
 
 /// Pictures that are evaluated together. Each takes memory for every cuboid.
 const AT_ONCE: usize = 16;
@@ -95,50 +50,6 @@ type FaceLevels = (Option<usize>, [[f64; 2]; 3]);
 
 /// A function from a row to the surfaces that each of its pixels may show.
 type RowSurfaces = Box<dyn Fn(usize) -> Vec<Vec<FaceLevels>> + Sync>;
-
-/// The parts of the model that a scene uses, with their names, in the order of the report.
-pub fn parts(scene: &Scene) -> Vec<(Part, String)> {
-    let scene = SceneRecord::of(&scene.world);
-    let rule = |rule: Rule| (Part::Rule(rule), rule.name().to_owned());
-    let lights = scene.light.iter().enumerate().filter(|(_, it)| it.on);
-    let cuboids = || scene.cuboid.iter().enumerate();
-    let phong = cuboids().filter(|(_, it)| it.shading == ShadingMode::Phong);
-    let mut parts = Vec::new();
-    parts.extend(lights.map(|(i, it)| (Part::Light(i), format!("light {}", it.name))));
-    parts.extend([Rule::SpecularGate, Rule::DiffuseClamp, Rule::Reflection].map(rule));
-    let smooth = || cuboids().filter(|(_, it)| it.normals == NormalMode::Corner);
-    if smooth().next().is_some() {
-        parts.push(rule(Rule::UnitNormal));
-    }
-    let name = |name: &str| format!("corner normals {name}");
-    parts.extend(smooth().map(|(i, it)| (Part::CornerNormals(i), name(&it.name))));
-    parts.extend(phong.map(|(i, it)| (Part::EveryPixel(i), format!("every pixel {}", it.name))));
-    parts.extend([Rule::PerspectiveCorrect, Rule::DepthTest, Rule::NearPlane].map(rule));
-    parts.extend(cuboids().map(|(i, it)| (Part::Cuboid(i), format!("cuboid {}", it.name))));
-    parts.push((Part::F64, "f64 set-up".to_owned()));
-    parts
-}
-
-/// The scene without some of its lights, cuboids and Phong shading. The remaining entities keep their index in the file.
-pub fn without(scene: &Scene, parts: &[Part]) -> Scene {
-    let mut record = SceneRecord::of(&scene.world);
-    for part in parts {
-        match *part {
-            Part::Light(light) => record.light[light].on = false,
-            Part::CornerNormals(cuboid) => record.cuboid[cuboid].normals = NormalMode::Face,
-            Part::EveryPixel(cuboid) => record.cuboid[cuboid].shading = ShadingMode::Gouraud,
-            Part::Rule(_) | Part::Cuboid(_) | Part::F64 => {}
-        }
-    }
-    let mut scene = Scene::spawn(scene.name.clone(), &record);
-    for (number, entity) in ordered::<Mesh>(&scene.world).into_iter().enumerate() {
-        if parts.contains(&Part::Cuboid(number)) {
-            // Cannot fail: the entity has just been spawned.
-            let _ = scene.world.despawn(entity);
-        }
-    }
-    scene
-}
 
 impl Change {
     /// Combines changes: the maximum of their errors, the sum of their pixels.
@@ -159,14 +70,6 @@ impl Change {
     pub fn keeps(&self, tolerance: f64) -> bool {
         self.most() <= limit(tolerance)
     }
-}
-
-/// The rule among parts.
-fn rule(parts: &[Part]) -> Option<Rule> {
-    parts.iter().find_map(|part| match part {
-        Part::Rule(rule) => Some(*rule),
-        _ => None,
-    })
 }
 
 /// The picture without a part, as the reference draws it, 0x00RRGGBB.
@@ -224,7 +127,8 @@ pub async fn changes(
     let height = view.size[1];
     let all = left_out.len().div_ceil(AT_ONCE) * height;
     let mut changes = Vec::with_capacity(left_out.len());
-    for (some, first) in left_out.chunks(AT_ONCE).zip((0..).step_by(height)) {
+    for (index, some) in left_out.chunks(AT_ONCE).enumerate() {
+        let done = index * height;
         // The picture without some parts, and whether its levels are enclosed.
         let picture = |parts: &Vec<Part>| {
             let world = &without(scene, parts).world;
@@ -252,9 +156,9 @@ pub async fn changes(
             };
             Ok(pictures.iter().map(change).collect::<Vec<Change>>())
         };
-        let step = "leaving out parts";
-        let by_row = monitor.in_parallel(step, 0..height, [first, all], row);
-        let by_row = by_row.await?;
+        let by_row = monitor
+            .in_parallel("leaving out parts", 0..height, [done, all], row)
+            .await?;
         let of_picture = |number: usize| Change::combined(by_row.iter().map(|row| row[number]));
         changes.extend((0..pictures.len()).map(of_picture));
     }

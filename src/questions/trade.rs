@@ -22,26 +22,124 @@ pub mod batch;
 pub mod budget;
 pub mod export;
 pub mod machine;
-pub mod measurement;
 pub mod plot;
 pub mod timing;
 pub mod verdict;
 
 use std::path::Path;
+use std::time::Duration;
+
+use serde::{Serialize, Serializer};
 
 use self::machine::Machine;
-pub use self::measurement::{LeftOut, Measured, Measurement, Report, Request};
-use self::timing::Batch;
-use crate::output::Monitor;
-use crate::output::files;
+use self::timing::{Batch, Timing};
 use crate::output::progress::with_bar;
 use crate::output::words::short;
-use crate::output::{self, Output, one_line, quoted};
-use crate::questions::job::camera_name;
+use crate::output::{self, Monitor, Output, files, one_line, quoted};
+use crate::questions::job::{Drawing, Heading};
+use crate::questions::metrics::ErrorStatistics;
 use crate::shading::Method;
+use crate::systems::frame::Counts;
 
 /// The files of a report.
 pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
+
+/// The view and the methods to measure.
+pub struct Request {
+    /// Each method overrides its shading and tolerance. Its threads draw the timed frames; 1 is the calling thread alone.
+    pub drawing: Drawing,
+    pub methods: Vec<Method>,
+    /// The time for timing frames, of all methods together. Each gets [`timing::MIN_SAMPLES`] in any case.
+    pub time: Duration,
+    /// Whether `own_error` is found, which only a report shows.
+    pub is_report: bool,
+}
+
+impl Request {
+    /// The methods whose frames are timed.
+    pub fn timed(&self) -> impl Iterator<Item = &Method> {
+        self.methods.iter().filter(|it| is_timed(**it))
+    }
+}
+
+/// The methods of a request, measured or left out.
+#[derive(Clone, Debug, Default)]
+pub struct Measured {
+    /// In the order of the request.
+    pub methods: Vec<Measurement>,
+    pub left_out: Vec<LeftOut>,
+    /// The time in which all of them were timed.
+    pub time: Duration,
+}
+
+impl Measured {
+    /// Whether a method was measured or left out.
+    pub fn knows(&self, method: Method) -> bool {
+        let measured = self.methods.iter().map(|it| it.method);
+        let mut all = measured.chain(self.left_out.iter().map(|it| it.method));
+        all.any(|it| it == method)
+    }
+}
+
+/// A method whose grids do not fit in memory: a record of `trade.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LeftOut {
+    #[serde(flatten)]
+    pub method: Method,
+    pub reason: String,
+}
+
+/// A measurement of methods, with the view and the machine: enough to judge the times and to repeat it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    pub machine: Machine,
+    /// The command line.
+    pub command: String,
+    #[serde(flatten)]
+    pub heading: Heading,
+    /// Pixels that show a cuboid.
+    pub covered_pixels: u64,
+    /// In the order of [`crate::shading::METHODS`].
+    pub methods: Vec<Measurement>,
+    pub left_out: Vec<LeftOut>,
+}
+
+/// The time of one method in a view, and its error: a record of `trade.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measurement {
+    #[serde(flatten)]
+    pub method: Method,
+    /// The threads that drew.
+    pub threads: usize,
+    /// Milliseconds of a whole warm frame; no samples, and `null` in JSON, of what the reference draws.
+    #[serde(rename = "ms", serialize_with = "null_if_empty")]
+    pub timing: Timing,
+    /// Nanoseconds of a frame for each covered pixel; `None` if there is none.
+    pub ns_per_covered_pixel: Option<f64>,
+    /// The work for a frame; the same on every machine.
+    pub counts: Counts,
+    /// The error against exact Phong; `None` if no pixel can be compared.
+    pub error: Option<ErrorStatistics>,
+    /// The error against the exact evaluation of the method's own mode; `None` if no pixel can be compared.
+    pub own_error: Option<ErrorStatistics>,
+    /// Pixels at which the method and exact Phong show different faces.
+    pub edge_pixels: u64,
+    /// The share of the highlight that is in its place, 0..=1; `None` if exact Phong shows none.
+    pub highlight_kept: Option<f64>,
+    /// Whether it is a best trade: no other method beats it ([`mark_front`]).
+    pub on_front: bool,
+}
+
+fn null_if_empty<S: Serializer>(timing: &Timing, serializer: S) -> Result<S::Ok, S::Error> {
+    (timing.samples > 0).then_some(timing).serialize(serializer)
+}
+
+impl Measurement {
+    /// The largest error against exact Phong, in levels of 255.
+    pub fn largest_error(&self) -> Option<f64> {
+        self.error.map(|it| it.max)
+    }
+}
 
 /// Measures the methods of `request`. What is `known` from the same view is not computed again, and of two timings
 /// the one with more samples stays. `time_batch` times the batch with this number of a request.
@@ -54,20 +152,21 @@ pub async fn measure(
     time_batch: impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Measured> {
-    let of_method = |method: &Method| known.methods.iter().find(|it| it.method == *method);
     let mut unknown = request.methods.clone();
     unknown.retain(|it| !known.knows(*it));
     let mut found = accuracy::errors(request, &unknown, monitor).await?;
     found.left_out.extend_from_slice(&known.left_out);
-    let mut errors = found.methods.into_iter().peekable();
-    let methods = request.methods.iter();
-    let measured = methods.filter_map(|it| {
-        of_method(it)
-            .cloned()
-            .or_else(|| errors.next_if(|next| next.method == *it))
-    });
-    let mut measured: Vec<Measurement> = measured.collect();
-    let request = &request.with(measured.iter().map(|it| it.method));
+    found.methods.extend_from_slice(&known.methods);
+    let of_method = |it: &Method| found.methods.iter().find(|one| one.method == *it);
+    let mut measured: Vec<Measurement> = (request.methods.iter())
+        .filter_map(of_method)
+        .cloned()
+        .collect();
+    let request = &Request {
+        drawing: request.drawing.snapshot(),
+        methods: measured.iter().map(|it| it.method).collect(),
+        ..*request
+    };
     let timings = timing::of_batches(
         async |number| time_batch(request, number, monitor).await,
         |share| (monitor.progress)("timing frames", share),
@@ -99,10 +198,9 @@ pub fn is_timed(method: Method) -> bool {
 /// without a comparable time is not on it.
 pub fn mark_front(methods: &mut [Measurement]) {
     // An error as it is printed, so that no difference decides that is not shown.
-    let printed = |it: &Measurement| {
-        let error = it.largest_error().filter(|_| is_timed(it.method));
-        let digits = |error| short(error).parse().unwrap_or(0.0);
-        error.map_or(f64::INFINITY, digits)
+    let printed = |it: &Measurement| match it.largest_error() {
+        Some(error) if is_timed(it.method) => short(error).parse().unwrap_or(0.0),
+        _ => f64::INFINITY,
     };
     let mut methods: Vec<&mut Measurement> = methods.iter_mut().collect();
     methods.sort_by(|one, other| {
@@ -145,10 +243,7 @@ pub async fn measure_report(
     Ok(Report {
         machine: Machine::this(drawing.level),
         command: format!("shadetrade {}", words.join(" ")),
-        scene: drawing.scene.name.clone(),
-        camera: camera_name(&drawing.scene.world),
-        projection: drawing.view().projection,
-        size: drawing.size,
+        heading: drawing.heading(),
         covered_pixels,
         methods,
         left_out,

@@ -28,8 +28,7 @@ use crate::output::Monitor;
 use crate::output::finished;
 use crate::output::progress::with_bar;
 use crate::output::{self, one_line, print, say};
-use crate::questions::job::Drawing;
-use crate::questions::job::camera_name;
+use crate::questions::job::{Drawing, Heading};
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::timing::of_batches;
 use crate::questions::trade::{self, is_timed};
@@ -72,9 +71,8 @@ impl Panel {
 /// The result of the command.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    pub scene: String,
-    pub camera: String,
-    pub size: [usize; 2],
+    #[serde(flatten)]
+    pub heading: Heading,
     /// The tolerance that is to be kept, in levels.
     pub tolerance: f64,
     pub keys: Vec<Panel>,
@@ -118,7 +116,6 @@ impl Request {
             methods: self.contenders.iter().filter_map(timed).collect(),
             time: time / values as u32,
             is_report: false,
-            must_fit: true,
         };
         let batch = async |number| time_here(&request, number, monitor).await;
         let mut timings = of_batches(batch, |_| ()).await?.into_iter();
@@ -195,9 +192,7 @@ pub async fn measure(request: &Request, monitor: Monitor<'_>) -> anyhow::Result<
     }
     let drawing = &request.drawing;
     Ok(Report {
-        scene: drawing.scene.name.clone(),
-        camera: camera_name(&drawing.scene.world),
-        size: drawing.size,
+        heading: drawing.heading(),
         tolerance: drawing.view().tolerance,
         keys,
     })

@@ -16,9 +16,6 @@ use crate::components::{LightKind, Viewer, length, unit};
 /// `up` and the view are parallel if the sine of their angle is smaller.
 const PARALLEL: f64 = 1e-9;
 
-/// The longest side of a picture, in pixels.
-pub const MAX_SIDE: usize = 16_384;
-
 /// An illegal value, and its place: a key of a table, which is given by its kind and its index.
 #[derive(Debug, thiserror::Error)]
 #[error("`{kind}{}{}`: {}", if fault.0.is_empty() { "" } else { "." }, fault.0, fault.1)]

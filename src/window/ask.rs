@@ -169,7 +169,6 @@ impl Study {
                     methods,
                     time,
                     is_report: false,
-                    must_fit: false,
                 };
                 let mut measured = measure(&request, &known, time_here, monitor).await?;
                 // The window shows none of them, and copies the rest in each layout.

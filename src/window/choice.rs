@@ -8,7 +8,7 @@ use super::controls::{set_tolerance, step_tolerance};
 use super::facts::Facts;
 use super::widgets::{rounded, short};
 use crate::components::range::Milliseconds;
-use crate::components::{View, Viewer, common_mode, viewer, viewer_mut};
+use crate::components::{View, Viewer, common, viewer, viewer_mut};
 use crate::questions::trade::budget::{after, best_trades, fitting, held, over};
 use crate::questions::trade::verdict::method_name;
 use crate::shading::Method;
@@ -53,7 +53,7 @@ impl Choice {
 
     /// The method on screen; `None` where the cuboids have different modes.
     pub fn method(&self, world: &World) -> Option<Method> {
-        let own = || Some(Method::of(common_mode(world)?, viewer(world).tolerance));
+        let own = || Some(Method::of(common(world)?, viewer(world).tolerance));
         self.held.or_else(own)
     }
 

@@ -548,7 +548,7 @@ fn the_command_writes_what_it_prints() {
     assert_eq!(panel["key"], "camera.1.orbit.zoom");
     let curves = panel["curves"].as_array().expect("a list");
     for (table, expected) in [
-        (&json, "scene camera size tolerance keys"),
+        (&json, "scene camera projection size tolerance keys"),
         (panel, "key from to logarithmic curves is_still"),
         (&curves[0], "method points keeps heights empty is_undecided"),
         (

@@ -7,14 +7,12 @@ use std::time::Instant;
 use anyhow::ensure;
 use serde_json::{Value, json};
 
-use super::png::{PngPicture, read};
 use super::{Example, Mark, Proof, Verdict, causes, prove};
 use crate::components::{Mesh, names};
 use crate::output::progress::with_bar;
-use crate::output::tables::{aligned, wrapped};
-use crate::output::words::{CHANNELS, counted, interval, short};
-use crate::output::{Output, one_line, print};
-use crate::questions::job::{Drawing, camera_name};
+use crate::output::words::{CHANNELS, aligned, counted, interval, short, wrapped};
+use crate::output::{Output, PngPicture, one_line, print, read_png};
+use crate::questions::job::Drawing;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep};
 
@@ -84,7 +82,7 @@ pub fn run_all(drawing: &mut Drawing, pictures: &[PathBuf], as_json: bool) -> an
     let (mut records, mut rows, mut unproven) = (Vec::new(), Vec::new(), 0);
     for path in pictures {
         let name = one_line(path);
-        let judged = read(path).and_then(|picture| judge(drawing, Some(&picture)));
+        let judged = read_png(path).and_then(|picture| judge(drawing, Some(&picture)));
         let is_proven = |it: &Judged| it.proof.proven == it.proof.pixels as u64;
         unproven += usize::from(!judged.as_ref().is_ok_and(is_proven));
         let mut record = json!({ "picture": name });
@@ -143,16 +141,13 @@ fn judge(drawing: &mut Drawing, picture: Option<&PngPicture>) -> anyhow::Result<
 
 /// A proof as JSON.
 fn record(drawing: &Drawing, judged: &Judged) -> Value {
-    let view = drawing.view();
-    let mut record = json!({
-        "scene": drawing.scene.name,
-        "camera": camera_name(&drawing.scene.world),
-        "projection": view.projection,
-        "size": view.size,
+    let mut record = json!(drawing.heading());
+    let picture = json!({
         "mode": drawing.mode(),
-        "tolerance": view.tolerance,
+        "tolerance": drawing.view().tolerance,
         "seconds": judged.seconds,
     });
+    extend(&mut record, picture);
     extend(&mut record, json!(judged.proof));
     record
 }

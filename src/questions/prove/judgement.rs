@@ -3,7 +3,8 @@
 use std::ops::Range;
 use std::{array, mem};
 
-use super::{Mark, Proof, Shown, UNKNOWN, Verdict, judge, nearest};
+use super::pixel::UNKNOWN;
+use super::{Mark, Proof, Shown, Verdict, judge, nearest};
 use crate::components::TriangleId;
 use crate::reference::{EnclosedSquare, Interval, Reference, Seen};
 use crate::systems::frame::{Frame, display_pixel};

@@ -8,8 +8,7 @@ use super::segments::{FewestSegments, fewest_segments};
 use super::{Part, PartChange, least, part_changes, ranked, without};
 use crate::components::View;
 use crate::output::progress::with_bar;
-use crate::output::tables::{aligned, wrapped};
-use crate::output::words::{interval, short};
+use crate::output::words::{aligned, interval, short, wrapped};
 use crate::output::{Output, one_line, print, say};
 use crate::questions::job::Drawing;
 use crate::scene::{Scene, SceneRecord, updated};
@@ -17,8 +16,8 @@ use crate::scene::{Scene, SceneRecord, updated};
 const LEGEND: &str = "One part is left out at a time. largest error: in levels of 255, proven; pixels: pixels with an error \
     above the tolerance, proven; required: yes, unless leaving the part out is proven to keep the tolerance.";
 
-const LEGEND_OF_SEGMENTS: &str = "segments: the fewest along an edge, 1 to 256, with which Gouraud keeps the tolerance against \
-    exact Phong, while all other cuboids have exact Phong; largest error: with so many segments, or with 256, in levels \
+const LEGEND_OF_SEGMENTS: &str = "segments: the fewest along an edge, 1 to 256, with which Gouraud is proven to keep the \
+    tolerance against exact Phong, while all other cuboids have exact Phong; largest error: with so many segments, or with 256, in levels \
     of 255, proven.";
 
 /// Prints the parts and the segments that a picture requires, and writes a reduced scene to `least_scene`.

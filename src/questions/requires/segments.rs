@@ -2,12 +2,12 @@
 //! exact Phong.
 //!
 //! ```text
-//! segments 1, 2, 3, ...  --the pixels that refuted fewer, f64--> one errs too much? --its intervals--> refuted
-//!                        --all pixels, f64-------------------> one errs too much? --its intervals--> refuted
-//!                        --all pixels, intervals-------------> all keep the tolerance: the answer
+//! segments 1, 2, 3, ...  --pixels that erred with fewer, intervals--> one errs too much: the next number
+//!                        --all pixels, f64---------------------------> one errs too much: the next number
+//!                        --all pixels, intervals---------------------> all are proven to keep the tolerance: the answer
 //! ```
 //! The error is not monotone in the number of segments: a vertex in the middle of a highlight may miss the rest of it. Every
-//! number is therefore tried. In most scenes a few pixels refute nearly all of them.
+//! number is therefore tried. In most scenes a few pixels err with nearly all of them.
 
 use std::ops::Range;
 
@@ -29,26 +29,15 @@ pub struct FewestSegments {
     pub segments: Option<u32>,
     /// The lower and the upper bound of the largest error with that number, or with the largest legal one.
     pub largest_error: [f64; 2],
-    /// The smaller numbers that are neither proven to keep the tolerance nor to exceed it.
-    #[serde(skip_serializing_if = "is_default")]
-    pub undecided: u32,
-}
-
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
 }
 
 impl FewestSegments {
     /// The number in words.
     pub fn count(&self) -> String {
-        let count = self.segments.unwrap_or(*Segments::RANGE.end());
-        let of = match (self.segments, self.undecided) {
-            (Some(_), 0) => "",
-            (Some(_), _) => "at most ",
-            (None, 0) => "more than ",
-            (None, _) => "perhaps more than ",
-        };
-        format!("{of}{count}")
+        match self.segments {
+            Some(count) => count.to_string(),
+            None => format!("more than {}", Segments::RANGE.end()),
+        }
     }
 }
 
@@ -125,40 +114,32 @@ impl Search<'_> {
         Ok(([largest(0), largest(1)], above(&rows, limit)))
     }
 
-    /// The least number that keeps a limit, its error, and how many smaller ones are undecided.
-    async fn fewest(&self, limit: f64) -> anyhow::Result<(Option<u32>, [f64; 2], u32)> {
-        // Pixels that refuted fewer segments, and pixels that intervals did not decide.
-        let (mut worst, mut doubtful) = (Vec::new(), Vec::new());
-        let mut undecided = 0;
+    /// The least number that is proven to keep a limit, and its error.
+    async fn fewest(&self, limit: f64) -> anyhow::Result<(Option<u32>, [f64; 2])> {
+        // Pixels that erred too much with fewer segments.
+        let mut worst: Vec<[usize; 2]> = Vec::new();
         for segments in Segments::RANGE.filter_map(Segments::new) {
             self.monitor.check()?;
             self.monitor.rest().await;
-            let floats = self.pair(self.floats, segments);
             let enclosures = self.pair(self.enclosures, segments);
-            let is_refuted = |pixel: &[usize; 2]| {
-                floats.error(*pixel)[1] > limit && enclosures.error(*pixel)[0] > limit
-            };
-            if worst.iter().rev().any(is_refuted) {
+            let errs = |pixel: &[usize; 2]| enclosures.error(*pixel)[1] > limit;
+            if worst.iter().rev().any(errs) {
                 continue;
             }
-            let found = above(&self.by_row(&floats).await?, limit);
-            worst.extend(&found);
-            if found.iter().any(is_refuted) {
-                continue;
-            }
-            let is_in_doubt = |pixel: &[usize; 2]| enclosures.error(*pixel)[1] > limit;
-            if found.is_empty() && !doubtful.iter().any(is_in_doubt) {
+            let floats = self.by_row(&self.pair(self.floats, segments)).await?;
+            let mut found = above(&floats, limit);
+            if found.is_empty() {
                 let (error, pixels) = self.proof(&enclosures, limit).await?;
                 if pixels.is_empty() {
-                    return Ok((Some(segments.into()), error, undecided));
+                    return Ok((Some(segments.into()), error));
                 }
-                doubtful.extend(pixels);
+                found = pixels;
             }
-            undecided += 1;
+            worst.extend(found);
         }
         let most = Segments::new(*Segments::RANGE.end()).unwrap_or_default();
         let pair = self.pair(self.enclosures, most);
-        Ok((None, self.proof(&pair, limit).await?.0, undecided))
+        Ok((None, self.proof(&pair, limit).await?.0))
     }
 }
 
@@ -200,12 +181,11 @@ pub async fn fewest_segments(
             enclosures,
             monitor,
         };
-        let (segments, largest_error, undecided) = search.fewest(limit(view.tolerance)).await?;
+        let (segments, largest_error) = search.fewest(limit(view.tolerance)).await?;
         fewest.push(FewestSegments {
             cuboid: record.cuboid[number].name.clone(),
             segments,
             largest_error,
-            undecided,
         });
     }
     Ok(fewest)

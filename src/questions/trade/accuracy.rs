@@ -7,14 +7,11 @@
 //! ```
 //! Nothing here is timed. The figures do not depend on the number of threads.
 
-use std::collections::{HashMap, HashSet};
-
 use anyhow::Context;
 use glam::DVec3;
 
-use super::is_timed;
-use super::measurement::{LeftOut, Measured, Measurement, Request};
 use super::timing::Timing;
+use super::{LeftOut, Measured, Measurement, Request, is_timed};
 use crate::components::{Light, LightKind, ShadingMode, TriangleId, View};
 use crate::output::Monitor;
 use crate::output::memory::{self, Content, OutOfMemory};
@@ -25,159 +22,153 @@ use crate::shading::Method;
 use crate::systems;
 use crate::systems::frame::{Counts, Frame, Keep, Workers, display_step};
 
-/// The most bytes for a pixel: four reference pictures, a frame, and a list of errors.
-const BYTES: usize = 4 * 28 + 17 + 8;
-/// The bytes that a report adds: three reference pictures.
-const BYTES_OF_REPORT: usize = 3 * 28;
+/// The most bytes for a pixel: five pictures in f64, a frame, and a list of errors.
+const BYTES: usize = 5 * 28 + 17 + 8;
 
 /// The errors of `methods` in the view of `request`, without times.
 ///
 /// # Errors
-/// If the pictures do not fit in memory, or grids that must, or the work is cancelled.
+/// If the pictures do not fit in memory, or the work is cancelled.
 pub async fn errors(
     request: &Request,
     methods: &[Method],
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Measured> {
-    let view = &request.drawing.view();
     let mut found = Measured::default();
     if methods.is_empty() {
         return Ok(found);
     }
-    let bytes = BYTES + usize::from(request.is_report) * BYTES_OF_REPORT;
-    memory::check(view.size, view.size[0] * view.size[1] * bytes)
+    let view = &request.drawing.view();
+    memory::check(view.size, view.size[0] * view.size[1] * BYTES)
         .context("the methods cannot be compared")?;
     let mut frame = Frame::new(Keep::Levels, Workers::alone(request.drawing.level));
     let mut scene = request.drawing.scene.snapshot();
-    let shares_kept = highlight_kept(&scene, view, methods, &mut frame, monitor).await?;
-    let truths = truths(request, methods, monitor).await?;
-    let exact = Picture::from(&truths[&ShadingMode::Phong]);
-    for (done, (method, highlight_kept)) in (1..).zip(methods.iter().zip(shares_kept)) {
+    let mut specular = scene.snapshot();
+    for light in specular.world.query_mut::<&mut Light>() {
+        light.on &= light.kind == LightKind::Specular;
+    }
+    let before_black = View {
+        background: DVec3::ZERO,
+        ..*view
+    };
+    let phong = Method::of(ShadingMode::Phong, 0.0);
+    let highlight = reference(&specular, phong, &before_black, monitor).await?;
+    let exact = reference(&scene, phong, view, monitor).await?;
+    // The last method with the picture of its own definition, which most methods share with the one before.
+    let mut own: Option<(Method, Truth)> = None;
+    let progress = monitor.progress;
+    // Pictures by the reference are a part of this step.
+    let monitor = Monitor {
+        progress: &|_, _| (),
+        ..monitor
+    };
+    for (done, method) in (1..).zip(methods) {
         monitor.check()?;
         monitor.rest().await;
-        (monitor.progress)("comparing pictures", f64::from(done) / methods.len() as f64);
-        let drawn = highlight_kept.and_then(|kept| {
-            if is_timed(*method) {
-                systems::draw(&mut scene.world, &method.view(view), &mut frame)?;
-            }
-            Ok(kept)
-        });
-        let highlight_kept = match drawn {
-            Err(error) if !request.must_fit && matches!(error.content, Content::Grids(_)) => {
-                found.left_out.push(LeftOut {
-                    method: *method,
-                    reason: error.to_string(),
-                });
+        progress("comparing pictures", f64::from(done) / methods.len() as f64);
+        let pictures = async {
+            let kept = picture(&mut specular, *method, &before_black, &mut frame, monitor);
+            let kept = kept.await?;
+            let drawn = picture(&mut scene, *method, view, &mut frame, monitor).await?;
+            anyhow::Ok([kept, drawn])
+        };
+        let [kept, drawn] = match pictures.await {
+            Ok(pictures) => pictures,
+            Err(error) => {
+                found.left_out.push(left_out(*method, error)?);
                 continue;
             }
-            drawn => drawn?,
         };
-        let mut counts = Counts::default();
-        if is_timed(*method) {
-            counts = frame.counts();
-        } else {
-            let triangles = truths[&method.mode].triangles.iter();
-            let covered = triangles.filter(|it| **it != TriangleId::NONE).count();
-            counts.covered_pixels = covered as u64;
-        }
-        let against = |other| {
-            if is_timed(*method) {
-                compare(Picture::from(&frame), other)
-            } else {
-                compare(Picture::from(&truths[&method.mode]), other)
-            }
-        };
-        let difference = against(exact);
+        let difference = compare(Picture::from(&drawn), Picture::from(&exact));
         let mut own_error = None;
         if request.is_report {
-            let rows = 0..view.size[1];
-            let own = match method.segments {
-                None => &truths[&method.mode],
-                Some(_) => {
-                    &reference::picture(&scene.world, &method.view(view), rows, monitor).await?
-                }
+            let is_same =
+                |it: &(Method, Truth)| (it.0.mode, it.0.segments) == (method.mode, method.segments);
+            let truth = match own.take().filter(is_same) {
+                Some((_, truth)) => truth,
+                None => reference(&scene, *method, view, monitor).await?,
             };
-            own_error = against(Picture::from(own)).error;
+            own_error = compare(Picture::from(&drawn), Picture::from(&truth)).error;
+            own = Some((*method, truth));
         }
         found.methods.push(Measurement {
             method: *method,
             threads: request.drawing.threads,
             timing: Timing::default(),
             ns_per_covered_pixel: None,
-            counts,
+            counts: counts(*method, &drawn, &frame),
             error: difference.error,
             own_error,
             edge_pixels: difference.edge_pixels,
-            highlight_kept,
+            highlight_kept: share_kept(&kept.levels, &highlight.levels),
             on_front: false,
         });
     }
     Ok(found)
 }
 
-/// Exact Phong, and the other modes whose own pictures are compared.
-async fn truths(
-    request: &Request,
-    methods: &[Method],
-    monitor: Monitor<'_>,
-) -> anyhow::Result<HashMap<ShadingMode, Truth>> {
-    let has_own_truth =
-        |it: &&Method| it.segments.is_none() && (request.is_report || !it.mode.is_drawn());
-    let own_modes = methods.iter().filter(has_own_truth).map(|it| it.mode);
-    let modes: HashSet<ShadingMode> = own_modes.chain([ShadingMode::Phong]).collect();
-    let (world, view) = (&request.drawing.scene.world, request.drawing.view());
-    let mut truths = HashMap::new();
-    for mode in modes {
-        let truth = reference::picture(world, &view.shaded(mode), 0..view.size[1], monitor).await?;
-        truths.insert(mode, truth);
+/// A method whose grids do not fit in memory.
+///
+/// # Errors
+/// Any other error.
+fn left_out(method: Method, error: anyhow::Error) -> anyhow::Result<LeftOut> {
+    match error.downcast_ref::<OutOfMemory>() {
+        Some(it) if matches!(it.content, Content::Grids(_)) => Ok(LeftOut {
+            method,
+            reason: it.to_string(),
+        }),
+        _ => Err(error),
     }
-    Ok(truths)
 }
 
-/// The share of the highlight that each method keeps, where its grids fit in memory.
-async fn highlight_kept(
+/// The picture of the definition of a method.
+async fn reference(
     scene: &Scene,
+    method: Method,
     view: &View,
-    methods: &[Method],
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Truth> {
+    reference::picture(&scene.world, &method.view(view), 0..view.size[1], monitor).await
+}
+
+/// The picture of a method: by the renderer, or by the reference if that alone draws it.
+async fn picture(
+    scene: &mut Scene,
+    method: Method,
+    view: &View,
     frame: &mut Frame,
     monitor: Monitor<'_>,
-) -> anyhow::Result<Vec<Result<Option<f64>, OutOfMemory>>> {
-    let mut specular = scene.snapshot();
-    for light in specular.world.query_mut::<&mut Light>() {
-        light.on &= light.kind == LightKind::Specular;
+) -> anyhow::Result<Truth> {
+    if !is_timed(method) {
+        return reference(scene, method, view, monitor).await;
     }
-    let dark = View {
-        background: DVec3::ZERO,
-        ..view.shaded(ShadingMode::Phong)
-    };
-    let highlight = reference::picture(&specular.world, &dark, 0..view.size[1], monitor).await?;
-    let mut shares = Vec::with_capacity(methods.len());
-    for method in methods {
-        monitor.check()?;
-        monitor.rest().await;
-        let kept = if is_timed(*method) {
-            systems::draw(&mut specular.world, &method.view(&dark), frame)
-                .map(|()| share_kept(frame.levels().iter().copied(), &highlight.levels))
-        } else {
-            let view = method.view(&dark);
-            let kept = reference::picture(&specular.world, &view, 0..view.size[1], monitor).await?;
-            let kept = kept
-                .levels
-                .into_iter()
-                .map(|it| it.map(|level| level as f32));
-            Ok(share_kept(kept, &highlight.levels))
-        };
-        shares.push(kept);
+    systems::draw(&mut scene.world, &method.view(view), frame)?;
+    let levels = frame.levels().iter().map(|it| it.map(f64::from));
+    Ok(Truth {
+        width: view.size[0],
+        levels: levels.collect(),
+        triangles: frame.triangles().to_vec(),
+    })
+}
+
+/// The work for a picture, which is that of the `frame` if the renderer has drawn it.
+fn counts(method: Method, drawn: &Truth, frame: &Frame) -> Counts {
+    if is_timed(method) {
+        return frame.counts();
     }
-    Ok(shares)
+    let is_covered = |it: &&TriangleId| **it != TriangleId::NONE;
+    Counts {
+        covered_pixels: drawn.triangles.iter().filter(is_covered).count() as u64,
+        ..Counts::default()
+    }
 }
 
 /// The displayed light that both pictures show at the same pixel and channel, as a share of all that `whole` shows, 0..=1;
 /// `None` if it shows none.
-pub fn share_kept(kept: impl Iterator<Item = [f32; 3]>, whole: &[[f64; 3]]) -> Option<f64> {
+pub fn share_kept(kept: &[[f64; 3]], whole: &[[f64; 3]]) -> Option<f64> {
     let (mut common, mut all) = (0, 0);
-    for (kept, whole) in kept.flatten().zip(whole.as_flattened()) {
-        let [kept, whole] = [f64::from(kept), *whole].map(|it| u64::from(display_step(it)));
+    for levels in kept.as_flattened().iter().zip(whole.as_flattened()) {
+        let [kept, whole] = [levels.0, levels.1].map(|it| u64::from(display_step(*it)));
         common += kept.min(whole);
         all += whole;
     }

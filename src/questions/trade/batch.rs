@@ -16,7 +16,7 @@ use anyhow::{Context, ensure};
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
-use super::measurement::Request;
+use super::Request;
 use super::timing::{self, Batch};
 use crate::output::Monitor;
 use crate::output::Output;
@@ -131,7 +131,6 @@ pub fn run() -> anyhow::Result<()> {
         methods: methods.context("no such method")?,
         time: asked.time,
         is_report: false,
-        must_fit: true,
     };
     let times = finished(time_here(&request, asked.number, Monitor::NONE))?;
     Output::Stdout.write(serde_json::to_vec(&times)?)

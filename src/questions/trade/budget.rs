@@ -76,16 +76,12 @@ pub fn choose(
     time_batch: &impl AsyncFn(&Request, usize, Monitor<'_>) -> anyhow::Result<Batch>,
 ) -> anyhow::Result<Option<(Measurement, String)>> {
     let request = Request {
-        drawing: Drawing {
-            scene: drawing.scene.snapshot(),
-            ..*drawing
-        },
+        drawing: drawing.snapshot(),
         methods: methods(common(&drawing.scene.world))
             .filter(|it| is_timed(*it))
             .collect(),
         time: MEASURING_TIME,
         is_report: false,
-        must_fit: false,
     };
     let none = Measured::default();
     let measured = with_bar(async |monitor| measure(&request, &none, time_batch, monitor).await)?;

@@ -1,12 +1,9 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
-use super::is_timed;
-use super::measurement::{LeftOut, Measurement, Report};
 use super::timing::BATCHES;
 use super::verdict::verdict;
-use crate::output::one_line;
-use crate::output::tables::{self, aligned, wrapped};
-use crate::output::words::{counted, interval, short};
+use super::{LeftOut, Measurement, Report, is_timed};
+use crate::output::words::{self, aligned, counted, interval, short, wrapped};
 
 /// The head of a column, and its cell for a method.
 type Column = (&'static str, fn(&Measurement) -> String);
@@ -53,16 +50,18 @@ pub fn table(report: &Report) -> String {
 
 /// The same text in Markdown, with the command line.
 pub fn markdown(report: &Report) -> String {
+    let mut left_out = left_out(report);
+    if !left_out.is_empty() {
+        left_out += "\n\n";
+    }
     format!(
         "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}{} trade.json has the other figures.\n",
         verdict(&report.methods),
         subject(report),
         place(report),
         report.command,
-        tables::markdown(&head(), rows(report)),
-        Some(left_out(report))
-            .filter(|it| !it.is_empty())
-            .map_or(String::new(), |it| it + "\n\n"),
+        words::markdown(&head(), rows(report)),
+        left_out,
         legend(report)
     )
 }
@@ -85,14 +84,8 @@ fn left_out(report: &Report) -> String {
 
 /// The view in words.
 pub fn subject(report: &Report) -> String {
-    let [width, height] = report.size;
-    format!(
-        "{}, camera {}, {}, {width}x{height}: {}",
-        one_line(&report.scene),
-        report.camera,
-        report.projection.name(),
-        counted(report.covered_pixels as usize, "covered pixel")
-    )
+    let pixels = counted(report.covered_pixels as usize, "covered pixel");
+    format!("{}: {pixels}", report.heading)
 }
 
 /// The machine in words.

@@ -13,9 +13,8 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::export::{place, subject};
-use super::measurement::{Measurement, Report};
 use super::verdict::UNSEEN;
-use super::{front, is_timed};
+use super::{Measurement, Report, front, is_timed};
 use crate::components::ShadingMode;
 use crate::output::chart::{self, Area, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE};
 

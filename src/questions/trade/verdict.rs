@@ -2,8 +2,7 @@
 //!
 //! Every word follows from a measured number.
 
-use super::is_timed;
-use super::measurement::Measurement;
+use super::{Measurement, is_timed};
 use crate::components::Segments;
 use crate::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
 use crate::output::words::{capital, counted, is_narrow, pace, short, sure_pace};

@@ -1,8 +1,7 @@
 //! The ranges in which contenders keep the tolerance, as text for a terminal.
 
 use super::{Curve, Panel, Point, Report};
-use crate::output::tables::{aligned, wrapped};
-use crate::output::words::{capital, rounded, short};
+use crate::output::words::{aligned, capital, rounded, short, wrapped};
 use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, limit};
 
@@ -34,7 +33,7 @@ pub fn text(report: &Report) -> String {
         .iter()
         .map(|panel| of_panel(panel, limit(report.tolerance)));
     let parts: Vec<String> = parts.collect();
-    let [width, height] = report.size;
+    let [width, height] = report.heading.size;
     let legend = format!("{LEGEND} Every pixel of {width}x{height} is compared.");
     format!("{}\n\n{}", parts.join("\n\n"), wrapped(&legend))
 }

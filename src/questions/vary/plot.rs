@@ -37,10 +37,9 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     let size = (columns.max(2) * PANEL.0, HEADING + rows * PANEL.1);
     chart::svg(size, |area| {
         let (header, panels) = area.split_vertically(HEADING);
-        let [width, height] = report.size;
         let about = format!(
-            "{}, camera {}, {width}x{height}: each pixel against an interval that encloses its exact level.",
-            report.scene, report.camera
+            "{}: each pixel against an interval that encloses its exact level.",
+            report.heading
         );
         let title = "The largest error against exact Phong, in levels of 255";
         chart::heading(&header, title, &[&about])?;

@@ -85,8 +85,7 @@ impl Refined {
 
     /// Whether both are about the same pictures.
     pub fn is_same(&self, other: &Refined) -> bool {
-        let is_same_scene = Arc::ptr_eq(&self.scene, &other.scene) || self.scene == other.scene;
-        self.variable == other.variable && self.size == other.size && is_same_scene
+        self.variable == other.variable && self.size == other.size && self.scene == other.scene
     }
 
     /// Whether several values are drawn, and their pictures are the same.

@@ -3,7 +3,8 @@
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 use shadetrade::components::{Projection, ShadingMode, View};
-use shadetrade::questions::prove::{Verdict, read_png};
+use shadetrade::output::read_png;
+use shadetrade::questions::prove::Verdict;
 use shadetrade::scene::{BUILT_IN, Scene};
 use shadetrade::systems::frame::Keep;
 

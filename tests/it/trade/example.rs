@@ -2,6 +2,7 @@
 
 use shadetrade::components::Projection;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
+use shadetrade::questions::job::Heading;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::trade::machine::Machine;
 use shadetrade::questions::trade::timing::Timing;
@@ -63,10 +64,12 @@ pub fn report() -> Report {
             profile: "release",
         },
         command: "shadetrade trade".to_owned(),
-        scene: "cuboid".to_owned(),
-        camera: "1".to_owned(),
-        projection: Projection::Perspective,
-        size: [40, 30],
+        heading: Heading {
+            scene: "cuboid".to_owned(),
+            camera: "1".to_owned(),
+            projection: Projection::Perspective,
+            size: [40, 30],
+        },
         covered_pixels: 1000,
         methods: rows.map(method).to_vec(),
         left_out: Vec::new(),

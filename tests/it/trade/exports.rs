@@ -130,7 +130,7 @@ impl Svg {
 #[test]
 fn the_plot_names_the_scene_and_has_every_point_and_its_label_inside() {
     let mut report = report();
-    report.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
+    report.heading.scene = "<scene> & \"quotes\" \u{7} \u{fffe}".to_owned();
     report.methods[2].error = Some(with_max(1e-30));
     let plot = Svg::of(&report);
     assert_eq!(plot.rows("Filled: a best trade").len(), 1);

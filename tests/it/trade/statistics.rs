@@ -79,6 +79,6 @@ fn a_highlight_is_kept_by_the_share_that_is_in_its_place() {
         ([[0.0; 3], [255.0; 3]], whole, Some(0.0)),
         ([[100.0; 3]; 2], [[0.0; 3]; 2], None),
     ] {
-        assert_eq!(share_kept(shown.into_iter(), &whole), expected, "{shown:?}");
+        assert_eq!(share_kept(&shown, &whole), expected, "{shown:?}");
     }
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Side, View, common_mode};
+use shadetrade::components::{ShadingMode, Side, View, common};
 use shadetrade::output::Monitor;
 use shadetrade::questions::requires::without;
 use shadetrade::systems::frame::{Keep, Workers};
@@ -349,7 +349,7 @@ fn different_modes_are_mixed_until_a_key_makes_them_equal() {
     let other = records::cuboid("other", [1.0; 3], [3.0, 0.0, 0.0]);
     let two = changed(|record| record.cuboid.push(other));
     let mut window = Window::of(two, SMALL);
-    let mode = |window: &Window| common_mode(&window.app.document.scene.world);
+    let mode = |window: &Window| common(&window.app.document.scene.world);
     assert_eq!(mode(&window), None);
     // The first one has this mode already.
     window.press(Key::G);

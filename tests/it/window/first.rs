@@ -5,7 +5,7 @@ use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Side, TriangleId, ViewMode, common_mode};
+use shadetrade::components::{ShadingMode, Side, TriangleId, ViewMode, common};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::HEADINGS;
@@ -158,7 +158,7 @@ fn a_mode_shows_the_whole_picture_and_a_key_brings_the_line_back() {
         press(&mut harness, key);
         let app = harness.state();
         assert_eq!(app.viewer().show, ViewMode::Picture);
-        assert_eq!(common_mode(&app.document.scene.world), Some(mode));
+        assert_eq!(common(&app.document.scene.world), Some(mode));
         assert_eq!(app.canvas.size(), size, "the picture keeps its size");
         press(&mut harness, Key::F3);
         assert_eq!(harness.state().viewer().show, ViewMode::Wipe);

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use egui::{Event, Key, Modifiers, Pos2, RawInput};
 use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong};
-use shadetrade::components::{Segments, Side, ViewMode, common, common_mode};
+use shadetrade::components::{Segments, Side, ViewMode, common};
 use shadetrade::output::Monitor;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
@@ -142,7 +142,7 @@ fn the_dot_of_a_grid_gives_its_segments_to_all_cuboids() {
     let grid = methods(None).find(|it| it.id == "gouraud-8x8-0.5");
     choose_method(&mut world, grid.expect("it is measured"));
     assert_eq!(common(&world), Segments::new(8));
-    assert_eq!(common_mode(&world), Some(Gouraud));
+    assert_eq!(common(&world), Some(Gouraud));
     // Its own dot is that of the scene's segments now.
     let ids: Vec<&str> = methods(common(&world)).map(|it| it.id).collect();
     assert!(ids.contains(&"gouraud-1x1-0.5") && !ids.contains(&"gouraud-8x8-0.5"));
@@ -222,7 +222,7 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     window.press(Key::M);
     window.press(Key::G);
     assert_eq!(window.app.viewer().budget, None);
-    assert_eq!(common_mode(&window.app.document.scene.world), Some(Gouraud));
+    assert_eq!(common(&window.app.document.scene.world), Some(Gouraud));
 }
 
 #[test]
