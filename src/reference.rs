@@ -20,6 +20,7 @@ mod cells;
 mod edge;
 mod geometry;
 mod illumination;
+mod interpolation;
 mod interval;
 mod joint;
 mod picture;
@@ -28,6 +29,7 @@ mod rule;
 mod sample;
 mod sight;
 mod square;
+mod weights;
 
 pub use self::interval::Interval;
 pub use self::picture::{Reference, Seen, Truth, picture};

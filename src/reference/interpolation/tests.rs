@@ -1,5 +1,6 @@
 //! The bounds on derivatives, against derivatives that are known.
 
+use super::super::square::polynomial;
 use super::*;
 
 /// The sizes of the first three derivatives of e^(i f), from those of f.
