@@ -247,28 +247,14 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
     }
 }
 
-/// The error of a first word that is similar to a command, or of a command after options. It would be read as the scene of
-/// `view`. No built-in scene's name is similar to a command.
+/// The error of a first word that is similar to a command: it would be read as the scene of `view`. No built-in scene's name is
+/// similar to a command.
 fn mistyped(words: &[OsString]) -> Option<clap::Error> {
     let word = words.get(1)?.to_str()?;
-    let mut commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
-    if word.starts_with('-') {
-        // Each option of `view` takes a value, after `=` or as the next word.
-        let needs_value = |word: &OsString| {
-            let word = word.to_string_lossy();
-            word.starts_with('-') && !word.contains('=')
-        };
-        let mut pairs = words[1..].windows(2).filter(|pair| !needs_value(&pair[0]));
-        let late = pairs.find_map(|pair| commands.find_subcommand(&pair[1]))?;
-        let message = format!(
-            "the command `{}` stands before all options",
-            late.get_name()
-        );
-        return Some(commands.error(clap::error::ErrorKind::ArgumentConflict, message));
-    }
-    if word.contains(['.', '/']) || Path::new(word).exists() {
+    if word.starts_with('-') || word.contains(['.', '/']) || Path::new(word).exists() {
         return None;
     }
+    let commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
     let error = commands.try_get_matches_from(&words[..2]).err()?;
     error.get(ContextKind::SuggestedSubcommand)?;
     Some(error)

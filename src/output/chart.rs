@@ -73,28 +73,15 @@ pub fn heading(area: &Area, title: &str, lines: &[&str]) -> anyhow::Result<()> {
 /// The quantity of an axis and its unit, and its ends, which are above 0.
 pub type Axis<'a> = (&'a str, Range<f64>);
 
-/// Draws the axes and their grid. The labels take `below` and `left` pixels, and the labels of the ticks have this font
-/// size; the names of the axes are a pixel larger.
-///
-/// # Errors
-/// Those of the plotting library, which gives none in practice.
-pub fn on<'a>(
-    area: &Area<'a>,
-    room: [u32; 2],
-    letters: f64,
-    axes: [Axis; 2],
-) -> anyhow::Result<Chart<'a>> {
-    on_marked(area, room, letters, axes, None)
-}
-
 /// The places of the marks of an axis, and their labels.
 pub type Marks<'a> = (Vec<f64>, &'a dyn Fn(f64) -> String);
 
-/// As [`on`], with other marks on the axis below.
+/// Draws the axes and their grid, with other marks than [`ticks`] on the axis below if they are given. The labels take `below`
+/// and `left` pixels, and the labels of the marks have this font size; the names of the axes are a pixel larger.
 ///
 /// # Errors
-/// As [`on`].
-pub fn on_marked<'a>(
+/// The plotting library gives none in practice.
+pub fn on<'a>(
     area: &Area<'a>,
     [below, left]: [u32; 2],
     letters: f64,

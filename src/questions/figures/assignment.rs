@@ -10,7 +10,6 @@ use super::sheet::{half, sheet};
 use crate::components::ShadingMode::{self, Gouraud, Phong};
 use crate::components::View;
 use crate::output::files::make_folder;
-use crate::output::memory;
 use crate::output::{encode_png, one_line, say, write_into};
 use crate::questions::job::all_cores;
 use crate::scene::Scene;
@@ -19,9 +18,6 @@ use crate::systems::frame::{Frame, Keep, Workers};
 
 /// Width and height of a figure, in pixels.
 const SIZE: [usize; 2] = [960, 720];
-
-/// Bytes of all pictures and of the encoded file that are held at the same time.
-const MEMORY: usize = 30 << 20;
 
 /// A file name, empty if there is no file; mode, camera and lights; heading and remark of the cell, and the sign between it
 /// and the next one.
@@ -64,7 +60,6 @@ const SHEETS: [(&str, &str, usize, &[Figure]); 2] = [
 /// # Errors
 /// If the folder cannot be created or a file cannot be written; then none is.
 pub fn figures(folder: &Path) -> Result<()> {
-    memory::check(SIZE, MEMORY)?;
     make_folder(folder)?;
     let mut scene = Scene::load(None)?;
     let workers = Workers::new(all_cores(), fearless_simd::Level::new())

@@ -103,7 +103,7 @@ pub async fn time_in_a_process(
 }
 
 /// The file of the running program. Linux keeps it even if a new build has replaced it.
-fn this_program() -> std::io::Result<PathBuf> {
+fn this_program() -> io::Result<PathBuf> {
     let kept = Path::new("/proc/self/exe");
     if cfg!(target_os = "linux") && kept.exists() {
         Ok(kept.to_owned())

@@ -90,7 +90,7 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
         ("time: ms a frame", times.clone()),
         ("largest error against exact Phong: levels of 255", ERRORS),
     ];
-    let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes)?;
+    let mut chart = chart::on(&area.margin(108, 12, 12, 24), [52, 72], 12.0, axes, None)?;
     let line = front_line(methods, times.end);
     chart.draw_series([PathElement::new(line, FAINT.stroke_width(2))])?;
     let curve = vertices(methods.iter().copied()).into_iter();

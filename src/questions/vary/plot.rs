@@ -98,7 +98,7 @@ fn lines(
     let label = |position: f64| axis.label(position);
     let marks = Some((axis.marks(), &label as &dyn Fn(f64) -> String));
     let area = area.margin(30, 6, 6, 14);
-    let mut chart = chart::on_marked(&area, [30, 52], 10.0, [("", POSITIONS), y], marks)?;
+    let mut chart = chart::on(&area, [30, 52], 10.0, [("", POSITIONS), y], marks)?;
     if let Some(limit) = limit {
         let Range { start, end } = POSITIONS;
         let line = vec![(start, limit), (end, limit)];
