@@ -5,14 +5,13 @@
 //!                     ^ '--- error: one located message
 //!                     '-- updated (comments kept) --'
 //! ```
-//! Every number in a [`World`] spawned here is finite and within the [`range`] of its key, and every name is unique within
+//! Every number in a [`World`] spawned here is finite and within the range of its key in [`numbers`], and every name is unique within
 //! its kind. Nothing else reads or writes scene files.
 
 mod check;
-mod error;
 pub mod key;
-mod large;
 mod lesson;
+mod read;
 mod record;
 mod save;
 pub mod unseen;
@@ -25,11 +24,11 @@ use std::sync::Arc;
 use anyhow::{anyhow, bail, ensure};
 use hecs::World;
 
-pub use self::check::Mistake;
 pub use self::lesson::{Control, LESSONS, Question, Step, title};
+pub use self::read::Mistake;
+use self::read::located;
 pub use self::record::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 pub use self::save::updated;
-pub use crate::components::range;
 use crate::components::{Camera, Light, Name, names, viewer_mut};
 use crate::output::files;
 
@@ -106,8 +105,7 @@ impl Scene {
     pub fn parse(name: &str, text: &str) -> anyhow::Result<Scene> {
         // Some editors write a byte order mark, which counts in no column.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let record = SceneRecord::read(text)
-            .map_err(|(span, why)| anyhow!(error::located(name, text, &span, &why)))?;
+        let record = SceneRecord::read(name, text)?;
         Ok(Scene {
             text: text.to_owned(),
             ..Scene::spawn(name.to_owned(), &record)
@@ -194,7 +192,7 @@ fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Resu
         let text = String::from_utf8_lossy(error.as_bytes());
         let mark = start..start + char::REPLACEMENT_CHARACTER.len_utf8();
         let message = "not UTF-8, expected a text in UTF-8";
-        anyhow!(error::located(&name, &text, &mark, message))
+        located(&name, &text, &mark, message)
     })
 }
 

@@ -12,7 +12,7 @@ use serde::de::DeserializeOwned;
 use toml::Value;
 
 use super::failure::Failure;
-use crate::components::range::Milliseconds;
+use crate::components::numbers::range_of;
 use crate::components::{
     NormalMode, Projection, Segments, ShadingMode, Viewer, overwrite, viewer_mut,
 };
@@ -223,7 +223,7 @@ fn segments(text: &str) -> Result<Segments, &'static str> {
 
 fn budget(text: &str) -> Result<f64, &'static str> {
     let message = "it is a number of milliseconds from 0.001 to 10000";
-    number(text, |it| Milliseconds::RANGE.contains(&it), message)
+    number(text, |it| range_of("budget").contains(&it), message)
 }
 
 pub(super) fn size(text: &str) -> Result<[usize; 2], &'static str> {

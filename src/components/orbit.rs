@@ -13,7 +13,6 @@ use serde::{Deserialize, Serialize};
 use super::camera::{Camera, Projection};
 use super::entity::get;
 use super::mesh::Mesh;
-use super::range::{OrbitAngle, Zoom};
 use super::transform::Transform;
 use super::vector::{length, unit};
 use super::viewer::{active_camera, viewer};
@@ -32,13 +31,10 @@ const FARTHEST: f64 = 30.0;
 #[serde(default, deny_unknown_fields, expecting = "a table")]
 pub struct Orbit {
     /// Degrees about `up`, to the right as seen from the camera, -180..=180.
-    #[serde(deserialize_with = "OrbitAngle::one")]
     pub azimuth: f64,
     /// Degrees towards `up`.
-    #[serde(deserialize_with = "OrbitAngle::one")]
     pub elevation: f64,
     /// Factor of the distance in perspective, and of the height seen in orthographic projection, > 0; smaller is closer.
-    #[serde(deserialize_with = "Zoom::one")]
     pub zoom: f64,
 }
 

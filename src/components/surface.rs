@@ -6,23 +6,22 @@ use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use super::mesh::{FACES, Mesh, outward_sign};
-use super::range::{Shininess, Strength};
+use super::numbers::three;
 
 /// The reflection of a surface: one coefficient for each channel and term, and the exponent of the highlight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct Material {
     /// kappa A, >= 0.
-    #[serde(deserialize_with = "Strength::three")]
+    #[serde(deserialize_with = "three")]
     pub ambient: DVec3,
     /// kappa D, >= 0.
-    #[serde(deserialize_with = "Strength::three")]
+    #[serde(deserialize_with = "three")]
     pub diffuse: DVec3,
     /// kappa E, >= 0.
-    #[serde(deserialize_with = "Strength::three")]
+    #[serde(deserialize_with = "three")]
     pub specular: DVec3,
     /// rho, 0..=1e6.
-    #[serde(deserialize_with = "Shininess::one")]
     pub shininess: f64,
 }
 
@@ -135,9 +134,8 @@ impl TryFrom<f64> for Segments {
     type Error = String;
 
     fn try_from(number: f64) -> Result<Self, String> {
-        let whole = (number.fract() == 0.0).then_some(number as u32);
-        let message = || format!("invalid value: {number}, expected a whole number from 1 to 256");
-        whole.and_then(Segments::new).ok_or_else(message)
+        let cells = Segments::new(number as u32);
+        cells.ok_or_else(|| format!("{number} is out of range"))
     }
 }
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::camera::{Camera, Projection};
 use super::entity::{Name, in_file_order};
-use super::range::{Milliseconds, Offset, Share, array};
+use super::numbers::{array, some_two};
 use super::surface::{Segments, ShadingMode};
 
 /// The viewer, a component of one entity: the table `[view]` of a scene file.
@@ -21,27 +21,20 @@ pub struct Viewer {
     pub tolerance: f64,
     /// The longest time of a frame, in milliseconds, in place of the tolerance. The most exact method within it draws;
     /// before times are measured it is the default tolerance.
-    #[serde(
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "Milliseconds::some"
-    )]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub budget: Option<f64>,
     pub show: ViewMode,
     /// Left and right of the divider of a wipe.
     #[serde(deserialize_with = "array")]
     pub sides: [Side; 2],
     /// The place of the divider, as a share of the picture's width.
-    #[serde(deserialize_with = "Share::one")]
     pub divider: f64,
     /// Degrees that all cuboids have turned about their own x axes, 0..360. Whole degrees from the scene's own angle: a full
     /// turn ends where it began, bit for bit.
     pub turned: u32,
     /// The place that is explained, from the picture's middle, right and down, in heights of the picture. The field of view is
     /// vertical, so it is the same place of the scene in pictures of any size.
-    #[serde(
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "Offset::some_two"
-    )]
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "some_two")]
     pub pixel: Option<[f64; 2]>,
     /// Whether the cuboids keep turning. It is not part of a scene.
     #[serde(skip)]

@@ -1,68 +1,27 @@
-//! The check of names and of values that belong together. serde has checked types and ranges before.
+//! The check of names and of values that belong together. Types and ranges are checked before.
 //!
 //! Records from files, from lessons and from edits in the window pass this check.
 
 use std::collections::HashSet;
 use std::fmt::Debug;
-use std::ops::Range;
 
 use glam::DVec3;
-use toml::de::DeTable;
 
+use super::read::Mistake;
 use super::record::{CameraRecord, LightRecord, SceneRecord};
-use crate::components::range::Length;
+use crate::components::numbers::range_of;
 use crate::components::{LightKind, Viewer, length, unit};
 
 /// `up` and the view are parallel if the sine of their angle is smaller.
 const PARALLEL: f64 = 1e-9;
 
-/// An illegal value, and its place: a key of a table, which is given by its kind and its index.
-#[derive(Debug, thiserror::Error)]
-#[error("`{kind}{}{}`: {}", if fault.0.is_empty() { "" } else { "." }, fault.0, fault.1)]
-pub struct Mistake {
-    kind: &'static str,
-    index: usize,
-    fault: Fault,
-}
-
-/// A key of a table, and what is wrong with its value. Dots separate the parts of a key; the empty key is the whole table.
-type Fault = (&'static str, String);
-
-impl Mistake {
-    /// The bytes of the value in the text, or those of its table if the key is missing.
-    pub(super) fn span(&self, text: &str) -> Range<usize> {
-        let keys: Vec<&str> = self.fault.0.split('.').collect();
-        span(text, self.kind, self.index, &keys)
-    }
-}
-
-/// The bytes of a value in a text, or those of its table if the key is missing. The table is one of its kind.
-pub fn span(text: &str, kind: &str, index: usize, keys: &[impl AsRef<str>]) -> Range<usize> {
-    let document = DeTable::parse(text).ok();
-    let span = document.as_ref().and_then(|document| {
-        let all = document.get_ref().get(kind)?;
-        let table = all.get_ref().get(index).unwrap_or(all);
-        let keys = keys.iter().map(AsRef::as_ref);
-        let value = keys.fold(table, |it, key: &str| it.get_ref().get(key).unwrap_or(it));
-        Some(value.span())
-    });
-    span.unwrap_or_default()
-}
-
 /// Refuses the value `found` at a key unless it is legal.
-fn require(
-    is_legal: bool,
-    key: &'static str,
-    found: impl Debug,
-    expected: &str,
-) -> Result<(), Fault> {
+fn require(is_legal: bool, key: &str, found: impl Debug, expected: &str) -> Result<(), Mistake> {
     if is_legal {
         return Ok(());
     }
-    Err((
-        key,
-        format!("invalid value: {found:?}, expected {expected}"),
-    ))
+    let why = format!("invalid value: {found:?}, expected {expected}");
+    Err(Mistake::new(key, why))
 }
 
 impl SceneRecord {
@@ -71,7 +30,9 @@ impl SceneRecord {
     /// # Errors
     /// The first mistake.
     pub fn check(&self) -> Result<(), Mistake> {
-        let at = |kind, index| move |fault| Mistake { kind, index, fault };
+        let at = |kind: &'static str, index: usize| {
+            move |mistake: Mistake| mistake.within(&index.to_string()).within(kind)
+        };
         let cuboids: Vec<&str> = self.cuboid.iter().map(|it| &*it.name).collect();
         let lights: Vec<&str> = self.light.iter().map(|it| &*it.name).collect();
         let cameras: Vec<&str> = self.camera.iter().map(|it| &*it.name).collect();
@@ -79,7 +40,7 @@ impl SceneRecord {
         for (kind, names) in kinds.zip([&cuboids, &lights, &cameras]) {
             let is_enough = kind == "light" || !names.is_empty();
             let expected = format!("one or more tables, each headed `[[{kind}]]`");
-            require(is_enough, "", names.len(), &expected).map_err(at(kind, 0))?;
+            require(is_enough, kind, names.len(), &expected)?;
             let mut known = HashSet::from([""]);
             let expected = format!("a name that is not empty and that no other {kind} has");
             for (index, name) in names.iter().enumerate() {
@@ -93,12 +54,12 @@ impl SceneRecord {
         for (index, camera) in self.camera.iter().enumerate() {
             camera.check().map_err(at("camera", index))?;
         }
-        check_viewer(&self.view, &cameras).map_err(at("view", 0))
+        check_viewer(&self.view, &cameras).map_err(|mistake| mistake.within("view"))
     }
 }
 
 impl LightRecord {
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Mistake> {
         // On the command line commas separate lights.
         let is_name = !["all", "none"].contains(&&*self.name) && !self.name.contains(',');
         let expected = "a name that holds no comma and is not \"all\" or \"none\"";
@@ -110,12 +71,12 @@ impl LightRecord {
             }
             _ => return Ok(()),
         };
-        Err(("position", message.to_owned()))
+        Err(Mistake::new("position", message))
     }
 }
 
 impl CameraRecord {
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Mistake> {
         let view = self.target - self.position;
         // The default near plane, a thousandth of this distance, must not underflow.
         let is_apart = length(view) >= 1e-100;
@@ -134,7 +95,7 @@ impl CameraRecord {
         };
         require(is_across, key, found.to_array(), expected)?;
         let zoom = self.orbit.zoom;
-        let is_seen = |size: f64| Length::RANGE.contains(&(size * zoom));
+        let is_seen = |size: f64| range_of("height").contains(&(size * zoom));
         let is_seen = zoom == 1.0 || is_seen(length(view)) && is_seen(self.height);
         let expected = "a zoom that leaves distance and height from 1e-100 to 1e100";
         require(is_seen, "orbit.zoom", zoom, expected)
@@ -142,7 +103,7 @@ impl CameraRecord {
 }
 
 /// Checks the viewer against the names of the cameras.
-fn check_viewer(view: &Viewer, cameras: &[&str]) -> Result<(), Fault> {
+fn check_viewer(view: &Viewer, cameras: &[&str]) -> Result<(), Mistake> {
     let tolerance = view.tolerance;
     let expected = "0 or a number from 0.0001 to 255";
     let is_legal = Viewer::may_have(tolerance);
@@ -150,8 +111,6 @@ fn check_viewer(view: &Viewer, cameras: &[&str]) -> Result<(), Fault> {
     let budget = view.budget.unwrap_or_default();
     let is_alone = view.budget.is_none() || tolerance == Viewer::TOLERANCE;
     require(is_alone, "budget", budget, "either a budget or a tolerance")?;
-    let expected = "a whole number of degrees from 0 to 359";
-    require(view.turned < 360, "turned", view.turned, expected)?;
     let camera = view.camera.as_deref();
     let is_known = camera.is_none_or(|name| cameras.contains(&name));
     let expected = format!("the name of a camera: {}", cameras.join(", "));

@@ -14,9 +14,10 @@ use anyhow::{anyhow, bail};
 use serde::Serialize;
 use toml::{Table, Value};
 
-use super::error::from_value;
+use super::read::from_value;
 use super::record::SceneRecord;
 use super::{BUILT_IN, listed};
+use crate::components::numbers::{Number, number_of};
 
 /// The lists of entities.
 const KINDS: [&str; 3] = ["cuboid", "light", "camera"];
@@ -129,21 +130,14 @@ impl Key {
     pub fn write(&self, record: &mut SceneRecord, value: Value) -> anyhow::Result<()> {
         let mut scene = tree(record);
         *self.find(&mut scene)? = value;
-        *record = from_value(scene).map_err(|(_, why)| anyhow!("`{self}`: {why}"))?;
+        *record = from_value(scene).map_err(|mistake| anyhow!("`{self}`: {}", mistake.why))?;
         Ok(())
     }
 
-    /// The legal values, in words, such as "a number from 0.0 to 255.0"; those of an array are for each of its values.
-    pub fn range(&self, record: &SceneRecord) -> Option<String> {
-        let illegal = match self.read(record).ok()? {
-            Some(array @ Value::Array(_)) => {
-                return self.child(self.names(&array).first()?).range(record);
-            }
-            Some(Value::String(_)) => Value::from(""),
-            _ => Value::from(f64::NAN),
-        };
-        let refused = set(record, &[(self.clone(), illegal)]).err()?.to_string();
-        refused.rsplit_once("expected ").map(|it| it.1.to_owned())
+    /// The numbers at this key, if it has any. One number of a vector has those of the vector.
+    pub fn number(&self) -> Option<&'static Number> {
+        let above = || number_of(self.0.iter().rev().nth(1)?);
+        number_of(self.last()).or_else(above)
     }
 
     /// The comment on this key, or on the one above.
@@ -196,14 +190,12 @@ impl Key {
                 let name = |entity: &Value| entity["name"].as_str().map(str::to_owned);
                 all.iter().map(|it| name(it).unwrap_or_default()).collect()
             }
-            Value::Array(all) => {
-                let names = match self.last() {
-                    "background" | "ambient" | "diffuse" | "specular" | "color" => ["r", "g", "b"],
-                    "sides" => ["left", "right", ""],
-                    _ => ["x", "y", "z"],
-                };
-                let own = names.into_iter().take(all.len());
-                own.map(str::to_owned).collect()
+            Value::Array(_) => {
+                let letters = number_of(self.last()).map_or("", |it| it.letters);
+                if letters.is_empty() {
+                    return ["left", "right"].map(str::to_owned).to_vec();
+                }
+                letters.chars().map(String::from).collect()
             }
             Value::Table(table) => {
                 let own = self.without_name();

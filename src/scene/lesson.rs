@@ -12,17 +12,15 @@
 //! then = "Nowhere: no corner lies in it." # the sentence once an answer is chosen
 //! ```
 
-use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use anyhow::anyhow;
 use serde::Deserialize;
 use toml::{Table, Value};
 
-use super::check::span;
 use super::key::Key;
-use super::{Scene, SceneRecord, built_in, error, read_text, updated};
+use super::read::{Mistake, located, read};
+use super::{Scene, SceneRecord, built_in, read_text, updated};
 use crate::components::{ViewMode, Viewer};
 use crate::output::words::capital;
 
@@ -114,9 +112,6 @@ struct StepRecord {
     then: Option<String>,
 }
 
-/// Keys of a step, and what is wrong with the value there.
-type Fault = (Vec<String>, String);
-
 /// The title of the lesson of this name or file: `lessons/how-many-vertices` is "How many vertices".
 pub fn title(name: &str) -> String {
     let stem = Path::new(name).file_stem().unwrap_or_default();
@@ -148,17 +143,15 @@ impl Scene {
     /// # Errors
     /// If the text is not a valid lesson: the first mistake, with its place.
     pub fn parse_lesson(name: &str, text: &str, folder: &Path) -> anyhow::Result<Scene> {
-        let whole = |key| span(text, key, 0, &[""; 0]);
-        let located =
-            |(span, why): (Range<usize>, String)| anyhow!(error::located(name, text, &span, &why));
-        let lesson: LessonRecord = error::read(text).map_err(located)?;
+        let located = |it: Mistake| located(name, text, &it.span(text), &it.why);
+        let lesson: LessonRecord = read(name, text)?;
         let own = Path::new(&lesson.scene);
         let path = match built_in(own) {
             Some(_) => own.to_owned(),
             None => folder.join(own),
         };
-        let scene =
-            Scene::load_path(&path).map_err(|why| located((whole("scene"), why.to_string())))?;
+        let scene = Scene::load_path(&path)
+            .map_err(|why| located(Mistake::new("scene", why.to_string())))?;
         let mut record = SceneRecord::of(&scene.world);
         // A lesson begins with the picture, whatever the scene opens with.
         record.view = Viewer {
@@ -167,14 +160,16 @@ impl Scene {
             ..record.view
         };
         let step = |(index, step): (usize, StepRecord)| {
-            let fault = |(keys, why): Fault| (span(text, "step", index, &keys), why);
-            step.applied_to(&mut record).map_err(fault).map_err(located)
+            let within = |mistake: Mistake| mistake.within(&index.to_string()).within("step");
+            step.applied_to(&mut record)
+                .map_err(within)
+                .map_err(located)
         };
         let applied = lesson.step.into_iter().enumerate().map(step);
         let steps: Vec<Step> = applied.collect::<Result<_, _>>()?;
         let Some(first) = steps.first().map(|step| Arc::clone(&step.record)) else {
-            let why = "expected one or more tables, each headed `[[step]]`".to_owned();
-            return Err(located((whole("step"), why)));
+            let why = "expected one or more tables, each headed `[[step]]`";
+            return Err(located(Mistake::new("step", why)));
         };
         Ok(Scene {
             text: updated(&scene.text, &first),
@@ -186,18 +181,23 @@ impl Scene {
 
 impl StepRecord {
     /// Changes a scene by this step.
-    fn applied_to(self, record: &mut SceneRecord) -> Result<Step, Fault> {
+    fn applied_to(self, record: &mut SceneRecord) -> Result<Step, Mistake> {
         self.check_texts()?;
         let question = self.question()?;
-        let own = || vec!["set".to_owned()];
         let mut values = Vec::new();
         collect(&Key::default(), self.set.into(), &mut values);
         for (key, value) in values {
-            let place = || [own(), key.parts().to_vec()].concat();
-            key.write(record, value)
-                .map_err(|why| (place(), why.to_string()))?;
+            key.write(record, value).map_err(|why| {
+                let parts = key.parts().iter().rev();
+                let mistake = parts.fold(Mistake::new("", why.to_string()), |it, part| {
+                    it.within(part)
+                });
+                mistake.within("set")
+            })?;
         }
-        record.check().map_err(|why| (own(), why.to_string()))?;
+        record
+            .check()
+            .map_err(|why| Mistake::new("set", why.to_string()))?;
         Ok(Step {
             say: self.say,
             show: self.show,
@@ -207,44 +207,43 @@ impl StepRecord {
     }
 
     /// Refuses a text that is too long to be read above a picture.
-    fn check_texts(&self) -> Result<(), Fault> {
+    fn check_texts(&self) -> Result<(), Mistake> {
         let answers = self.ask.iter().map(|text| ("ask", text));
         let then = self.then.iter().map(|text| ("then", text));
         for (key, text) in answers.chain(then).chain([("say", &self.say)]) {
             let letters = text.chars().count();
             if letters > MOST_LETTERS {
                 let why = format!("a text of {letters} letters, expected at most {MOST_LETTERS}");
-                return Err((vec![key.to_owned()], why));
+                return Err(Mistake::new(key, why));
             }
         }
         Ok(())
     }
 
     /// The question, if the step asks one.
-    fn question(&self) -> Result<Option<Question>, Fault> {
-        let fault = |key: &str, why: String| Err((vec![key.to_owned()], why));
+    fn question(&self) -> Result<Option<Question>, Mistake> {
         let count = self.ask.len();
         match (self.right, &self.then) {
             (None, None) if count == 0 => Ok(None),
             _ if count < 2 => {
                 let why = "expected `ask` with two or more answers, `right` and `then`";
-                fault("ask", why.to_owned())
+                Err(Mistake::new("ask", why))
             }
             (Some(right @ 1..), Some(then)) if right <= count => Ok(Some(Question {
                 answers: self.ask.clone(),
                 right: right - 1,
                 then: then.clone(),
             })),
-            (Some(1..), None) => fault(
-                "then",
-                "missing field `then`, expected the sentence after an answer".to_owned(),
-            ),
+            (Some(1..), None) => {
+                let why = "missing field `then`, expected the sentence after an answer";
+                Err(Mistake::new("then", why))
+            }
             (right, _) => {
                 let found = right.map_or("missing field `right`".to_owned(), |right| {
                     format!("invalid value: {right}")
                 });
                 let why = format!("{found}, expected the number of an answer from 1 to {count}");
-                fault("right", why)
+                Err(Mistake::new("right", why))
             }
         }
     }

@@ -3,23 +3,19 @@
 //! These tables are the whole format; other keys are errors. Optional keys have their defaults in the record, so that equal
 //! scenes have equal records.
 
-use std::ops::Range;
-
-use anyhow::anyhow;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
-use super::check::span;
-use super::error;
-use crate::components::range::{Angle, Coordinate, DisplayLevel, FieldOfView, Length, Strength};
+use super::read::{Mistake, from_value, has, read};
+use crate::components::numbers::{some_three, three};
 use crate::components::{LightKind, Material, NormalMode, Orbit, Segments, ShadingMode, Viewer};
 
 /// The whole file, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct SceneRecord {
-    #[serde(default, deserialize_with = "DisplayLevel::three")]
+    #[serde(default, deserialize_with = "three")]
     pub background: DVec3,
     /// One or more.
     pub cuboid: Vec<CuboidRecord>,
@@ -35,11 +31,11 @@ pub struct SceneRecord {
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct CuboidRecord {
     pub name: String,
-    #[serde(deserialize_with = "Length::three")]
+    #[serde(deserialize_with = "three")]
     pub size: DVec3,
-    #[serde(default, deserialize_with = "Coordinate::three")]
+    #[serde(default, deserialize_with = "three")]
     pub position: DVec3,
-    #[serde(default, deserialize_with = "Angle::three")]
+    #[serde(default, deserialize_with = "three")]
     pub rotation: DVec3,
     #[serde(default)]
     pub shading: ShadingMode,
@@ -55,17 +51,16 @@ pub struct CuboidRecord {
 pub struct LightRecord {
     pub name: String,
     pub kind: LightKind,
-    #[serde(deserialize_with = "Strength::three")]
+    #[serde(deserialize_with = "three")]
     pub color: DVec3,
-    #[serde(deserialize_with = "Strength::one")]
     pub intensity: f64,
-    #[serde(default = "one", deserialize_with = "Strength::one")]
+    #[serde(default = "one")]
     pub gain: f64,
     /// `None` for an ambient light.
     #[serde(
         default,
         skip_serializing_if = "Option::is_none",
-        deserialize_with = "Coordinate::some_three"
+        deserialize_with = "some_three"
     )]
     pub position: Option<DVec3>,
     #[serde(default = "yes")]
@@ -76,21 +71,15 @@ pub struct LightRecord {
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub struct CameraRecord {
     pub name: String,
-    #[serde(deserialize_with = "Coordinate::three")]
+    #[serde(deserialize_with = "three")]
     pub position: DVec3,
-    #[serde(deserialize_with = "Coordinate::three")]
+    #[serde(deserialize_with = "three")]
     pub target: DVec3,
-    #[serde(default = "y", deserialize_with = "Coordinate::three")]
+    #[serde(default = "y", deserialize_with = "three")]
     pub up: DVec3,
-    #[serde(deserialize_with = "FieldOfView::one")]
     pub fov: f64,
-    #[serde(deserialize_with = "Length::one")]
     pub height: f64,
-    #[serde(
-        default,
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "Length::some"
-    )]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub near: Option<f64>,
     #[serde(default)]
     pub orbit: Orbit,
@@ -127,29 +116,26 @@ impl SceneRecord {
     /// Reads and checks a record as TOML.
     ///
     /// # Errors
-    /// The key of the first mistake, and the message.
-    pub fn from_tree(tree: Value) -> anyhow::Result<Self> {
-        let refused = |(key, why)| anyhow!("`{key}`: {why}");
-        let record: SceneRecord = error::from_value(tree).map_err(refused)?;
+    /// The first mistake.
+    pub fn from_tree(tree: Value) -> Result<Self, Mistake> {
+        let record: SceneRecord = from_value(tree)?;
         record.check()?;
         Ok(record)
     }
 
-    /// Reads and checks a text.
+    /// Reads and checks a text. Errors carry `name`.
     ///
     /// # Errors
-    /// The bytes of the mistake, and the message.
-    pub(super) fn read(text: &str) -> Result<Self, (Range<usize>, String)> {
-        let record: SceneRecord = error::read(text)?;
-        // serde does not say whether the tolerance is in the text: a key that is missing has the place of its table.
-        let place = |key| span(text, "view", 0, &[key]);
-        if record.view.budget.is_some() && place("tolerance") != place("") {
-            let message = "`view.budget`: beside a tolerance, expected one of the two";
-            return Err((place("budget"), message.to_owned()));
+    /// The first mistake, with its place.
+    pub(super) fn read(name: &str, text: &str) -> anyhow::Result<Self> {
+        let record: SceneRecord = read(name, text)?;
+        let located = |mistake: Mistake| mistake.located(name, text);
+        // serde does not say whether the tolerance is in the text.
+        if record.view.budget.is_some() && has(text, "view", "tolerance") {
+            let why = "beside a tolerance, expected one of the two";
+            return Err(located(Mistake::new("view.budget", why)));
         }
-        record
-            .check()
-            .map_err(|mistake| (mistake.span(text), mistake.to_string()))?;
+        record.check().map_err(located)?;
         Ok(record)
     }
 }

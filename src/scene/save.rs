@@ -10,13 +10,13 @@ use serde_json::{Value as Json, json};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use super::key::tree;
-use super::large;
+use super::read::with_floats;
 use super::record::SceneRecord;
 use crate::components::Orbit;
 
 /// Changes a text so that it reads as `record`. A text that is not a scene is replaced.
 pub fn updated(text: &str, record: &SceneRecord) -> String {
-    let (old, mut document) = match (SceneRecord::read(text), large::as_texts(text).parse()) {
+    let (old, mut document) = match (SceneRecord::read("", text), with_floats(text).parse()) {
         (Ok(old), _) if old == *record => return text.to_owned(),
         (Ok(old), Ok(document)) => (old, document),
         _ => (SceneRecord::default(), DocumentMut::new()),
@@ -39,7 +39,7 @@ pub fn updated(text: &str, record: &SceneRecord) -> String {
         }
     }
     amend_table(&mut *document, &old, &new);
-    let written = large::as_numbers(&document.to_string());
+    let written = document.to_string();
     if text.contains("\r\n") {
         return written.replace("\r\n", "\n").replace('\n', "\r\n");
     }

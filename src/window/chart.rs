@@ -21,7 +21,7 @@ use super::help::about;
 use super::keys::Action;
 use super::study::Study;
 use super::widgets::{GOURAUD, INK, PHONG, mode_ink, offer, rounded, short, slider};
-use crate::components::range::Milliseconds;
+use crate::components::numbers::range_of;
 use crate::components::{Viewer, viewer};
 use crate::output::chart::ticks;
 use crate::output::words::capital;
@@ -97,7 +97,7 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
     };
     let mut changed = budget;
     let words = ["budget, ms", "[ ]", about("budget")];
-    slider(ui, words, &mut changed, Milliseconds::RANGE, 0.001);
+    slider(ui, words, &mut changed, range_of("budget"), 0.001);
     if changed != budget {
         choice.set_budget(world, Some(changed));
     }

@@ -7,7 +7,7 @@ use super::canvas::Canvas;
 use super::controls::{set_tolerance, step_tolerance};
 use super::facts::Facts;
 use super::widgets::{rounded, short};
-use crate::components::range::Milliseconds;
+use crate::components::numbers::range_of;
 use crate::components::{View, Viewer, common, viewer, viewer_mut};
 use crate::questions::trade::budget::{after, best_trades, fitting, held, over};
 use crate::questions::trade::verdict::method_name;
@@ -63,7 +63,7 @@ impl Choice {
         if let Some(budget) = budget {
             self.before = before.map_or(Some(tolerance), |_| self.before);
             set_tolerance(world, Viewer::TOLERANCE);
-            let (least, most) = Milliseconds::RANGE.into_inner();
+            let (least, most) = range_of("budget").into_inner();
             viewer_mut(world).budget = Some(rounded(budget.clamp(least, most), 1));
         } else {
             set_tolerance(world, self.before.take().unwrap_or(tolerance));

@@ -21,7 +21,7 @@ use super::layout::message;
 use super::panel::light_row;
 use super::pictures::exact_view;
 use super::widgets::{BAD, GOOD, INK, button, number, offer, segment_buttons, short, text};
-use crate::components::range::{Shininess, Strength};
+use crate::components::numbers::range_of;
 use crate::components::{Light, Material, Name, ShadingMode, View, ViewMode, ordered, viewer};
 use crate::output::paint::{area, missing_letters};
 use crate::output::progress::with_bar;
@@ -159,7 +159,7 @@ fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, contro
         Control::Shininess => {
             for (name, material) in world.query_mut::<(&Name, &mut Material)>() {
                 ui.label(format!("shininess of {}", name.0));
-                number(ui, &mut material.shininess, Shininess::RANGE);
+                number(ui, &mut material.shininess, range_of("shininess"));
             }
         }
         Control::On => {
@@ -171,7 +171,7 @@ fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, contro
             for entity in ordered::<Light>(world) {
                 if let Ok((name, light)) = world.query_one_mut::<(&Name, &mut Light)>(entity) {
                     ui.label(&name.0);
-                    number(ui, &mut light.intensity, Strength::RANGE);
+                    number(ui, &mut light.intensity, range_of("intensity"));
                 }
             }
         }

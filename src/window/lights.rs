@@ -9,7 +9,7 @@ use super::canvas::Canvas;
 use super::desk::Desk;
 use super::tags::ROOM;
 use super::widgets::tag;
-use crate::components::range::Coordinate;
+use crate::components::numbers::range_of;
 use crate::components::{Lens, Light, LightKind, Name, Transform, View, in_file_order};
 use crate::output::paint::color;
 use crate::systems::frame::display_pixel;
@@ -156,7 +156,7 @@ pub fn drag_light(world: &mut World, view: &View, name: &str, by: Vec2) {
         let digits = (1.0 - pixel.log10().floor()).clamp(0.0, 300.0) as usize;
         let exact = (*position + way * pixel).to_array();
         let moved = exact.map(|it| round_to_decimals(it, digits));
-        if moved.iter().all(|it| Coordinate::RANGE.contains(it)) {
+        if moved.iter().all(|it| range_of("position").contains(it)) {
             *position = DVec3::from(moved);
         }
     }

@@ -5,7 +5,6 @@ use hecs::World;
 use serde::{Serialize, Serializer};
 use toml::Value;
 
-use crate::components::range;
 use crate::output::chart::ticks;
 use crate::questions::job::camera_name;
 use crate::scene::SceneRecord;
@@ -98,38 +97,15 @@ impl Variable {
         Ok(variable)
     }
 
-    /// The range that people look at first: that of the key where it is short, else from a tenth of the present value to ten
-    /// times it.
+    /// The range of a key that people look at first.
     ///
     /// # Errors
     /// If the scene has no such number.
     pub fn around(key: Key, record: &SceneRecord) -> anyhow::Result<Self> {
         let value = present(&key, record)?;
-        // A number of a vector or a colour has the range of that.
-        let is_part = key.last().len() == 1;
-        let parts = key.parts().iter().rev();
-        let name = parts.skip(usize::from(is_part)).map(|it| &**it).next();
-        let name = name.unwrap_or_default();
-        let [from, to] = match name {
-            "segments" => [1.0, 256.0],
-            "fov" => [5.0, 150.0],
-            "tolerance" => [0.1, 255.0],
-            "background" => [0.0, 255.0],
-            "rotation" | "azimuth" => [-180.0, 180.0],
-            "elevation" => [-80.0, 80.0],
-            // Where pictures of the cuboids are large, and a pixel.
-            "zoom" => [0.5, 1000.0].map(|factor| (factor * value).clamp(1e-200, 1e200)),
-            "position" | "target" | "up" => {
-                [-1.0, 1.0].map(|way| value + way * value.abs().max(1.0))
-            }
-            "ambient" | "diffuse" | "specular" | "color" => [0.0, 1.0],
-            _ if value == 0.0 => [0.0, 1.0],
-            _ => {
-                let (least, most) = range::of_key(name).into_inner();
-                [value / 10.0, value * 10.0].map(|end| end.clamp(least, most))
-            }
-        };
-        Variable::new(key, [from.min(value), to.max(value)], record)
+        let known = key.number();
+        let ends = known.map_or([value; 2], |it| it.first_around(value));
+        Variable::new(key, ends, record)
     }
 
     /// Whether it is the zoom of the camera in use.

@@ -6,8 +6,7 @@ use egui::{Button, TextEdit, Ui};
 use glam::DVec3;
 use toml::Value;
 
-use crate::components::range;
-use crate::scene::SceneRecord;
+use crate::components::numbers::{Number, range_of};
 use crate::scene::key::{Key, tree};
 use crate::window::widgets::{color_button, number, vary_button};
 
@@ -23,22 +22,16 @@ const CHOICES: [(&str, &[&str]); 3] = [
 pub const ANY: RangeInclusive<f64> = f64::MIN..=f64::MAX;
 
 /// A row for the value of a key. A table has a row for each of its keys. `varied` is the number whose button is clicked.
-pub fn row(
-    ui: &mut Ui,
-    key: &Key,
-    value: &mut Value,
-    record: &SceneRecord,
-    varied: &mut Option<Key>,
-) {
+pub fn row(ui: &mut Ui, key: &Key, value: &mut Value, varied: &mut Option<Key>) {
     if let Value::Table(table) = value {
         return table
             .iter_mut()
-            .for_each(|(name, value)| row(ui, &key.child(name), value, record, varied));
+            .for_each(|(name, value)| row(ui, &key.child(name), value, varied));
     }
     ui.horizontal(|ui| {
         ui.label(key.last()).on_hover_ui(|ui| {
             ui.label(key.comment().unwrap_or_default());
-            ui.weak(key.range(record).unwrap_or_default());
+            ui.weak(key.number().map(Number::words).unwrap_or_default());
         });
         if COLORS.contains(&key.last()) && value.is_array() {
             let mut color = value.clone().try_into::<DVec3>().unwrap_or_default();
@@ -80,7 +73,7 @@ fn number_field(ui: &mut Ui, key: &str, value: &mut Value) {
     let mut float = value.clone().try_into().unwrap_or_default();
     let is_typed = number(ui, &mut float, ANY).lost_focus();
     if !is_typed {
-        let (least, most) = range::of_key(key).into_inner();
+        let (least, most) = range_of(key).into_inner();
         float = float.clamp(least, most);
         if is_whole {
             float = float.round();

@@ -47,7 +47,7 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &mut Canvas, desk: &mut
     let name = own["name"].as_str().unwrap_or_default();
     let entity_key = Key::from(chosen.0).child(name);
     Grid::new("table").show(ui, |ui| {
-        row(ui, &entity_key, &mut own, &record, &mut varied);
+        row(ui, &entity_key, &mut own, &mut varied);
     });
     if chosen.0 == "light" {
         place_light(&mut own);
@@ -55,7 +55,7 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &mut Canvas, desk: &mut
     ui.separator();
     Grid::new("scene").show(ui, |ui| {
         let key = Key::from("background");
-        row(ui, &key, &mut background, &record, &mut varied);
+        row(ui, &key, &mut background, &mut varied);
     });
     if let Some(key) = varied {
         desk.vary(key, &record);

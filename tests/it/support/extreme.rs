@@ -20,10 +20,8 @@ pub fn exaggerated(record: &SceneRecord, random: &mut Random) -> SceneRecord {
         let ends = random.one_of(&[0.0, 5e-324, 1e-100, 1e6, 1e30, 1e100, f64::MAX]);
         let size = random.one_of(&[ends, any, any, ordinary, ordinary]);
         *number = (size * random.one_of(&[1.0, -1.0])).into();
-        let read = serde_json::from_value::<SceneRecord>(scene);
-        if let Ok(record) = read.map_err(drop)
-            && record.check().is_ok()
-        {
+        let scene = toml::Value::try_from(scene).expect("TOML has all that JSON has");
+        if let Ok(record) = SceneRecord::from_tree(scene) {
             return record;
         }
     }
