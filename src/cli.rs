@@ -3,6 +3,13 @@
 //! ```text
 //! arguments --parse--> Command with checked values (commands, options) --main--> success, or Failure (failure)
 //! ```
+//! | question | where |
+//! |---|---|
+//! | Which commands are there? | here, with their examples |
+//! | Which options does a command have? | `commands` |
+//! | Which options do all that draw have? | [`options`] |
+//! | What does a failure print? | `failure` |
+//!
 //! The doc comment of a command or option is its text in `--help`.
 
 mod commands;

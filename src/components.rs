@@ -11,6 +11,17 @@
 //! A scene has one viewer. Keys and widgets write components. [`View::of`] alone reads the viewer and its camera for
 //! a picture. [`Lens`] and [`Illumination`] are derived once a frame, for all cuboids.
 //!
+//! | question | where |
+//! |---|---|
+//! | What is a cuboid made of? | `transform`, `mesh`, and `surface`: material and modes |
+//! | What does a frame derive for it? | `surface`: normals, vertex colours, polygons on the screen |
+//! | What is a light? | `light` |
+//! | Where does a camera stand, and what does it see? | `camera`, moved by its `orbit` |
+//! | How is the scene looked at? | `viewer`; `view` for one picture |
+//! | Which numbers may a scene file have? | [`numbers`] |
+//! | How are entities found and ordered? | `entity` |
+//! | How long is a vector of any magnitude? | `vector` |
+//!
 //! The renderer and the reference share this module and compute everything else themselves.
 
 mod camera;

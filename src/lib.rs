@@ -19,8 +19,8 @@
 //! **[`scene::SceneRecord`] is that world as data.** [`scene::SceneRecord::spawn`] makes a world of it, and
 //! [`scene::SceneRecord::of`] takes it from a world. serde reads it from a TOML file and writes it to JSON;
 //! [`scene::updated`] writes it into the text of its file and keeps the comments. A mistake in a file gets its line
-//! and column in `scene/error.rs`. [`scene::key`] addresses each value by name, such as `light.white.intensity`:
-//! the option `--set`, lessons, tooltips and undo use these names. `components/range.rs` has the range of each
+//! and column in `scene/read.rs`. [`scene::key`] addresses each value by name, such as `light.white.intensity`:
+//! the option `--set`, lessons, tooltips and undo use these names. `components/numbers.rs` has the range of each
 //! number.
 //!
 //! [`components::View::of`] is the one place that reads the viewer for a picture. A view says from where, how large

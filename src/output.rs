@@ -1,4 +1,13 @@
-//! Output to standard output and to [`files`].
+//! Results on their way out: text, files and pictures.
+//!
+//! | question | where |
+//! |---|---|
+//! | Where does a result go? | [`Output`]: standard output, or [`files`] written whole or not at all |
+//! | How are numbers, tables and paragraphs told? | [`words`] |
+//! | How is a picture stored? | `png` |
+//! | What draws letters, shapes and charts? | [`paint`] over pixels, [`chart`] in SVG |
+//! | How long does the work take? | [`progress`] |
+//! | Does it fit in memory? | [`memory`] |
 //!
 //! It is no error if the reader of standard output closes it early.
 

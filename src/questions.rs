@@ -1,7 +1,7 @@
 //! The questions that the program answers about a scene. Each command of that name prints its answer, and most are tabs of the
 //! window.
 //!
-//! | question | module |
+//! | question | where |
 //! |---|---|
 //! | the time and the error of each method | [`trade`] |
 //! | the error against one number of the scene | [`mod@vary`] |
@@ -11,8 +11,8 @@
 //! | whether extreme numbers are drawn right | [`extremes`] |
 //! | pictures: `render` and the assignment's figures | [`figures`] |
 //! | the scene for other renderers | [`export`] |
-//!
-//! [`job`] is a scene with a view, size and threads, on which a command works; [`metrics`] has the errors of a picture.
+//! | the scene, size and threads of a question | [`job`] |
+//! | the errors of a picture | [`metrics`] |
 //!
 //! # Who may import whom
 //!

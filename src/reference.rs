@@ -10,6 +10,16 @@
 //!                        +------------+
 //! ```
 //!
+//! | question | where |
+//! |---|---|
+//! | What may a number be? | `real`: a float, or an `interval` around the exact value |
+//! | Which line of sight does a pixel have? | `sight` |
+//! | Where does it hit a cuboid? | `geometry`, `edge`; `weights` of the corners there |
+//! | What may a pixel near an edge show? | `beside` the face; `joint`: nothing that touching faces hide |
+//! | What is the model at a point? | `illumination`; `cells` under Gouraud; `rule` has the parts that can be left out |
+//! | What does each pixel show? | `picture`; `sample` with vectors and terms |
+//! | How is a square enclosed at once? | `square`, with the bound of `interpolation` |
+//!
 //! The reference shares the scene's data (`components`) with the renderer, but none of its code. Positions are
 //! subtracted first (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses no precision. Each
 //! cuboid is intersected and lit in its own coordinates, so its proportions do not matter. The bits of the result do not

@@ -5,6 +5,16 @@
 //!                     ^ '--- error: one located message
 //!                     '-- updated (comments kept) --'
 //! ```
+//! | question | where |
+//! |---|---|
+//! | What is in a scene file? | `record` |
+//! | How is a text read, and how is a mistake told? | `read`; `check` has what must go together |
+//! | How does a scene become a world? | `world` |
+//! | How is a change saved, comments kept? | `save` |
+//! | How is one value addressed? | [`key`] |
+//! | What is a lesson? | `lesson` |
+//! | Why is nothing seen in a picture? | [`unseen`] |
+//!
 //! Every number in a [`World`] spawned here is finite and within the range of its key in [`numbers`], and every name is unique within
 //! its kind. Nothing else reads or writes scene files.
 
@@ -198,12 +208,9 @@ fn read_text(path: &Path, kind: &str, built_in: &[(&str, &str)]) -> anyhow::Resu
 
 /// The first sentence of the comment at the head of a file.
 pub fn first_sentence(text: &str) -> String {
-    let head: Vec<&str> = text
-        .lines()
-        .map_while(|line| line.strip_prefix("# "))
-        .collect();
-    let head = head.join(" ");
-    let sentence = head.split_inclusive(". ").next();
+    let head = text.lines().map_while(|line| line.strip_prefix("# "));
+    let comment = head.collect::<Vec<_>>().join(" ");
+    let sentence = comment.split_inclusive(". ").next();
     sentence.unwrap_or_default().trim_end().to_owned()
 }
 

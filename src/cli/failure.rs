@@ -28,8 +28,8 @@ impl Failure {
     /// Clap's error as one paragraph: blank lines between its message, tips and usage are dropped.
     pub(super) fn of(error: &clap::Error) -> Self {
         let text = error.render().to_string();
-        let lines = text.trim_start_matches("error: ").lines();
-        let lines: Vec<&str> = lines.filter(|line| !line.trim().is_empty()).collect();
+        let all = text.trim_start_matches("error: ").lines();
+        let lines: Vec<&str> = all.filter(|line| !line.trim().is_empty()).collect();
         Failure::Usage(anyhow!(lines.join("\n")))
     }
 

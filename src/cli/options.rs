@@ -207,8 +207,10 @@ pub fn number(
 pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
     let (one, other) = text.split_once(separator)?;
     let is_plain = |it: char| it.is_ascii_digit() || it == separator;
-    let pair = Some([one.parse().ok()?, other.parse().ok()?]);
-    pair.filter(|_| text.chars().all(is_plain))
+    if !text.chars().all(is_plain) {
+        return None;
+    }
+    Some([one.parse().ok()?, other.parse().ok()?])
 }
 
 fn tolerance(text: &str) -> Result<f64, &'static str> {

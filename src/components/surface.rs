@@ -46,7 +46,7 @@ pub enum ShadingMode {
 }
 
 impl ShadingMode {
-    /// Those of scene files, which the renderer draws.
+    /// The modes of scene files. The renderer draws them.
     pub const ALL: [ShadingMode; 3] = [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong];
 
     /// Whether the renderer draws it. The reference alone draws the others, in f64, and their time says nothing.
@@ -96,7 +96,7 @@ impl Segments {
     /// The legal numbers.
     pub const RANGE: RangeInclusive<u32> = 1..=256;
 
-    /// So many cells; `None` if the number is not legal.
+    /// This number of cells; `None` if it is not legal.
     pub const fn new(cells: u32) -> Option<Self> {
         if *Segments::RANGE.start() <= cells && cells <= *Segments::RANGE.end() {
             Some(Segments(cells))
@@ -150,12 +150,12 @@ impl From<Segments> for u32 {
 pub enum Normals {
     /// One per corner of the [`super::Mesh`], shared by the faces there.
     Corner([DVec3; 8]),
-    /// Those of the faces +x, +y and +z.
+    /// The normals of the faces +x, +y and +z.
     Face([DVec3; 3]),
 }
 
 impl Normals {
-    /// Those of a cuboid with these own axes in world space.
+    /// The normals of a cuboid with these axes in world space.
     pub fn new(mode: NormalMode, mesh: &Mesh, axes: DMat3) -> Self {
         match mode {
             NormalMode::Corner => Normals::Corner(mesh.normals.map(|normal| axes * normal)),
@@ -183,7 +183,7 @@ impl Default for Normals {
 pub enum VertexColors {
     /// One per corner of the [`super::Mesh`], shared by the faces there.
     Corner([DVec3; 8]),
-    /// Those at the corners of the visible face across each axis: a face and the one opposite are never seen together.
+    /// The levels at the corners of the visible face across each axis. A face and the one opposite are never seen together.
     /// Under flat shading all four are the level at its middle.
     Face([[DVec3; 4]; 3]),
     /// For several segments the index of the visible face's grid in the frame, across each axis.

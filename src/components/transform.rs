@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn quarter_turns_are_exact_in_both_directions_and_any_number_of_times() {
         let [x, y, z] = DVec3::AXES;
-        // Where +x, +y and +z come to lie after none, one, two and three quarters about each axis.
+        // The directions of +x, +y and +z after none, one, two and three quarters about each axis.
         let about_x = [[x, y, z], [x, z, -y], [x, -y, -z], [x, -z, y]];
         let about_y = [[x, y, z], [-z, y, x], [-x, y, -z], [z, y, -x]];
         let about_z = [[x, y, z], [y, -x, z], [-x, -y, z], [-y, x, z]];
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn angles_between_quarter_turns_are_those_of_a_table() {
-        // Of 60 degrees: a half, and half the root of three.
+        // The cosine and the sine of 60 degrees.
         let (half, root) = (0.5, 3.0_f64.sqrt() / 2.0);
         for (degrees, cos, sin) in [
             (60.0, half, root),

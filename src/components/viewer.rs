@@ -57,10 +57,9 @@ impl Viewer {
     pub fn pixel_in(&self, size: [usize; 2], rows: f64) -> Option<[usize; 2]> {
         let place = self.pixel?;
         let pixel = [0, 1].map(|axis| {
-            let pixel = place[axis] * rows + size[axis] as f64 / 2.0;
-            (0.0..size[axis] as f64)
-                .contains(&pixel)
-                .then_some(pixel as usize)
+            let at = place[axis] * rows + size[axis] as f64 / 2.0;
+            let is_inside = (0.0..size[axis] as f64).contains(&at);
+            is_inside.then_some(at as usize)
         });
         Some([pixel[0]?, pixel[1]?])
     }

@@ -30,7 +30,7 @@ pub type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Logarithmic, L
 /// A picture of `size` pixels as SVG.
 ///
 /// # Errors
-/// Those of `draw`. The plotting library gives none in practice.
+/// The errors of `draw`. The plotting library gives none in practice.
 pub fn svg(
     size: (u32, u32),
     draw: impl FnOnce(&Area) -> anyhow::Result<()>,

@@ -11,7 +11,7 @@ const LARGE: usize = 16 << 20;
 /// Bytes kept free for small allocations, whose failure would end the program without a message.
 const SPARE: usize = 32 << 20;
 
-/// What memory is needed for.
+/// The purpose of an allocation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// A picture, or several of its size: width and height, in pixels.

@@ -30,8 +30,7 @@ impl Painter {
         let scale = output.pixels_per_point;
         let triangles = self.context.tessellate(output.shapes, scale);
         // The bytes of a little-endian 0xAARRGGBB are blue, green, red and alpha.
-        let buffer = bytemuck::cast_slice_mut(pixels);
-        let mut buffer = BufferMutRef::new(buffer, width, height);
+        let mut buffer = BufferMutRef::new(bytemuck::cast_slice_mut(pixels), width, height);
         self.rasterizer
             .render(&mut buffer, &triangles, &output.textures_delta, scale);
     }

@@ -56,12 +56,12 @@ const END: &[u8] = b"IEND\xae\x42\x60\x82";
 /// If there is no such file, it is no PNG, has 16 bits a channel or transparent pixels, or does not fit in memory.
 pub fn read_png(path: &Path) -> anyhow::Result<PngPicture> {
     let name = one_line(path);
-    let bytes = if path == "-" {
+    let read = if path == "-" {
         files::read_from(io::stdin().lock(), LARGEST)
     } else {
         files::read(path, LARGEST)
     };
-    let bytes = bytes.with_context(|| format!("cannot read {name}"))?;
+    let bytes = read.with_context(|| format!("cannot read {name}"))?;
     ensure!(bytes.starts_with(SIGNATURE), "{name} is not a PNG file");
     let damaged = || anyhow!("{name} is damaged");
     // The decoder does not look for it. Some programs append to it.

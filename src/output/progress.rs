@@ -126,18 +126,19 @@ pub fn bands(height: usize) -> impl Iterator<Item = Range<usize>> {
 /// Does `work` while a bar shows the share of its present step. The bar disappears at the end.
 ///
 /// # Errors
-/// Those of `work`.
+/// The errors of `work`.
 pub fn with_bar<T>(work: impl AsyncFnOnce(Monitor<'_>) -> anyhow::Result<T>) -> anyhow::Result<T> {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
-        .context("the template of the progress bar is wrong")?;
-    let style = style.with_key("left", |state: &ProgressState, text: &mut dyn Write| {
+    let time_left = |state: &ProgressState, text: &mut dyn Write| {
         // Before the first estimate it is 0.
         let left = state.eta();
         if left.as_secs() > 0 {
             // A failure would leave the bar without the time.
             let _ = write!(text, ", {:#} left", HumanDuration(left));
         }
-    });
+    };
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
+        .context("the template of the progress bar is wrong")?
+        .with_key("left", time_left);
     let bar = ProgressBar::new(1000).with_style(style);
     let progress = |step, share: f64| {
         if bar.message() != step {

@@ -38,7 +38,7 @@ pub fn interval(ends: [f64; 2], text: impl Fn(f64) -> String) -> String {
     }
 }
 
-/// How fast one thing is against another, from the ranges of their times: "2.1 to 2.3 times as fast as". Ranges that overlap,
+/// The speed of one thing against another, from the ranges of their times: "2.1 to 2.3 times as fast as". Ranges that overlap,
 /// or come as near as half a percent, are no measurable difference.
 pub fn pace(one: [f64; 2], other: [f64; 2]) -> String {
     let (fast, slow, word) = if one[1] < other[0] {
@@ -75,6 +75,11 @@ pub fn sure_pace(one: [f64; 2], other: [f64; 2]) -> String {
     } else {
         "not sure yet how fast against".to_owned()
     }
+}
+
+/// Texts in a row, with a separator between.
+pub fn joined(texts: impl IntoIterator<Item = String>, separator: &str) -> String {
+    texts.into_iter().collect::<Vec<_>>().join(separator)
 }
 
 /// The text with a capital letter first.

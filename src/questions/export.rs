@@ -71,8 +71,8 @@ fn user_of(library: &Path, path: &Path) -> Option<PathBuf> {
     }
     let name = library.file_name()?;
     let names_it = |file: &PathBuf| {
-        let lines = File::open(file).map(|file| BufReader::new(file).lines());
-        let lines = lines.into_iter().flatten().map_while(Result::ok);
+        let opened = File::open(file).map(|file| BufReader::new(file).lines());
+        let lines = opened.into_iter().flatten().map_while(Result::ok);
         // The library is named before the first face that has a material.
         let mut head = lines.take_while(|line| !line.starts_with("f "));
         head.any(|line| line.strip_prefix("mtllib ").map(str::trim) == name.to_str())
@@ -215,8 +215,7 @@ fn object(
 
 /// The lines of the material library.
 fn materials(record: &SceneRecord, names: &[String]) -> Vec<String> {
-    let materials = record.cuboid.iter().zip(names);
-    let materials = materials.flat_map(|(cuboid, name)| {
+    let lines = record.cuboid.iter().zip(names).flat_map(|(cuboid, name)| {
         let it = &cuboid.material;
         [
             format!("newmtl {name}"),
@@ -227,5 +226,5 @@ fn materials(record: &SceneRecord, names: &[String]) -> Vec<String> {
             "illum 2".to_owned(),
         ]
     });
-    materials.collect()
+    lines.collect()
 }

@@ -17,6 +17,7 @@ use toml::Table;
 use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names, viewer_mut};
 use crate::output::Monitor;
 use crate::output::finished;
+use crate::output::words::joined;
 use crate::output::{Output, print};
 use crate::questions::prove::{Example, Proof, Verdict, prove_at};
 use crate::scene::{EXTREMES, Scene, first_sentence};
@@ -117,11 +118,11 @@ pub fn table() -> Vec<Extreme> {
     let names = EXTREMES
         .iter()
         .map(|(path, _)| path.trim_start_matches(FOLDER));
-    let scenes = names.map(|name| Extreme {
+    let extreme = |name| Extreme {
         name,
         ..left.remove(name).unwrap_or_default()
-    });
-    let scenes = scenes.collect();
+    };
+    let scenes = names.map(extreme).collect();
     assert!(left.is_empty(), "the index names scenes that do not exist");
     scenes
 }
@@ -132,13 +133,15 @@ pub fn table() -> Vec<Extreme> {
 /// If there is no extreme of a name.
 pub fn named(names: &[String]) -> anyhow::Result<Vec<Extreme>> {
     let mut table = table();
-    let asked = names.iter().map(|it| it.trim_start_matches(FOLDER));
-    let asked: Vec<&str> = asked.collect();
-    let is_missing = |name: &&&str| table.iter().all(|it| it.name != **name);
+    let own_name = |name: &String| name.trim_start_matches(FOLDER).to_owned();
+    let asked: Vec<String> = names.iter().map(own_name).collect();
+    let is_missing = |name: &&String| table.iter().all(|it| it.name != **name);
     if let Some(name) = asked.iter().find(is_missing) {
         bail!("no extreme is named {name:?}; `shadetrade extremes --list` names them");
     }
-    table.retain(|extreme| asked.is_empty() || asked.contains(&extreme.name));
+    if !asked.is_empty() {
+        table.retain(|extreme| asked.iter().any(|it| it == extreme.name));
+    }
     Ok(table)
 }
 
@@ -169,18 +172,12 @@ pub fn run(extremes: &[Extreme], level: Level, as_json: bool) -> anyhow::Result<
 /// # Errors
 /// If they cannot be printed.
 pub fn list(extremes: &[Extreme], as_json: bool) -> anyhow::Result<()> {
-    let says = extremes.iter().map(|it| (it.name, it.sentence()));
-    let says: Vec<_> = says.collect();
-    let lines = || {
-        let lines = says
-            .iter()
-            .map(|(name, says)| format!("{name:<WIDTH$}  {says}"));
-        lines.collect::<Vec<_>>().join("\n")
-    };
-    let record = says
-        .iter()
-        .map(|(name, says)| json!({ "name": name, "says": says }));
-    print(&record.collect::<Vec<_>>(), as_json, None, lines)
+    let record = |it: &Extreme| json!({ "name": it.name, "says": it.sentence() });
+    let line = |it: &Extreme| format!("{:<WIDTH$}  {}", it.name, it.sentence());
+    let records: Vec<_> = extremes.iter().map(record).collect();
+    print(&records, as_json, None, || {
+        joined(extremes.iter().map(line), "\n")
+    })
 }
 
 impl Display for Outcome {

@@ -27,7 +27,7 @@ use crate::systems::frame::{Frame, Keep, display_pixel};
 
 /// Draws one picture into `output` and reports it, with the time of a frame, on standard error.
 ///
-/// Of a method that a budget has chosen this is the time by which it was chosen.
+/// The time of a method that a budget has chosen is the one by which it was chosen.
 ///
 /// # Errors
 /// If the picture does not fit in memory or cannot be written.

@@ -59,7 +59,7 @@ pub struct ProbedSurface {
     pub phong: DVec3,
     /// The levels of the picture, unclamped.
     pub drawn: [f64; 3],
-    /// How the picture was drawn: its mode, its tolerance in levels, and the kind of the square around the pixel.
+    /// The way the picture was drawn: its mode, its tolerance in levels, and the kind of the square around the pixel.
     pub mode: ShadingMode,
     pub tolerance: f64,
     pub kind: SquareKind,

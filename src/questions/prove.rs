@@ -161,8 +161,8 @@ impl Proof {
             // The hull of the face's enclosures.
             let enclosure = [0, 1, 2].map(|channel| {
                 let same = seen.iter().filter(|seen| seen.face() == face);
-                let same = same.map(|seen| ends(seen.levels)[channel]);
-                same.fold([255.0, 0.0], |[a, b], [c, d]| [c.min(a), d.max(b)])
+                let levels = same.map(|seen| ends(seen.levels)[channel]);
+                levels.fold([255.0, 0.0], |[a, b], [c, d]| [c.min(a), d.max(b)])
             });
             self.examples.push(Example {
                 pixel,

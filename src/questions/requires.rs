@@ -98,12 +98,12 @@ async fn pixels<R: Real>(
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<u32>> {
     let row = |y| {
-        let mut row = Vec::with_capacity(view.size[0]);
+        let mut pixels = Vec::with_capacity(view.size[0]);
         picture.row(y, |_, seen| {
             let levels = seen[0].levels.map(|level| level.endpoints()[0]);
-            row.push(display_pixel(levels));
+            pixels.push(display_pixel(levels));
         });
-        Ok(row)
+        Ok(pixels)
     };
     let height = view.size[1];
     let rows = monitor.in_parallel("leaving out a part", 0..height, [0, height], row);

@@ -141,8 +141,8 @@ impl Measurement {
     }
 }
 
-/// Measures the methods of `request`. What is `known` from the same view is not computed again, and of two timings
-/// the one with more samples stays. `time_batch` times the batch with this number of a request.
+/// Measures the methods of `request`. Errors that are `known` from the same view are not computed again, and the timing with
+/// more samples stays. `time_batch` times the batch with this number of a request.
 ///
 /// # Errors
 /// If memory or threads do not suffice, or the work is cancelled.
@@ -197,7 +197,7 @@ pub fn is_timed(method: Method) -> bool {
 /// Marks the methods on the front. From the fastest on, each of them errs less than all before. A method without an error or
 /// without a comparable time is not on it.
 pub fn mark_front(methods: &mut [Measurement]) {
-    // An error as it is printed, so that no difference decides that is not shown.
+    // The error as it is printed: a difference that is not shown decides nothing.
     let printed = |it: &Measurement| match it.largest_error() {
         Some(error) if is_timed(it.method) => short(error).parse().unwrap_or(0.0),
         _ => f64::INFINITY,

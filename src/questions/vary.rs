@@ -17,7 +17,6 @@ pub mod variable;
 use std::path::Path;
 use std::time::Duration;
 
-use anyhow::ensure;
 use serde::Serialize;
 
 pub use self::curve::{Curve, Point};
@@ -39,14 +38,14 @@ use crate::shading::limit;
 /// The files of a report.
 const FILES: [&str; 2] = ["vary.json", "vary.svg"];
 
-/// What is varied, and how.
+/// The numbers to vary, and the methods.
 pub struct Request {
     pub drawing: Drawing,
     pub variables: Vec<Variable>,
     pub contenders: Vec<Contender>,
     /// The number of values of each variable, at least 2.
     pub steps: usize,
-    /// How long the frames of all methods are timed in all; `None` times nothing.
+    /// The time for timing the frames of all methods; `None` times nothing.
     pub time: Option<Duration>,
 }
 
@@ -97,16 +96,13 @@ impl Request {
         ))
     }
 
-    /// The median times of a frame by contender, in milliseconds; `None` of what is no method or not timed.
+    /// The median times of a frame by contender, in milliseconds, measured in `time`; `None` of what is no method or not timed.
     async fn times(
         &self,
         record: &SceneRecord,
-        values: usize,
+        time: Duration,
         monitor: Monitor<'_>,
     ) -> anyhow::Result<Vec<Option<f64>>> {
-        let Some(time) = self.time else {
-            return Ok(vec![None; self.contenders.len()]);
-        };
         let timed = |it: &Contender| it.method.filter(|method| is_timed(*method));
         let request = trade::Request {
             drawing: Drawing {
@@ -114,7 +110,7 @@ impl Request {
                 ..self.drawing
             },
             methods: self.contenders.iter().filter_map(timed).collect(),
-            time: time / values as u32,
+            time,
             is_report: false,
         };
         let batch = async |number| time_here(&request, number, monitor).await;
@@ -138,14 +134,17 @@ impl Request {
     ) -> anyhow::Result<Panel> {
         let values = variable.values(self.steps);
         let evaluate = |value: &f64| self.errors(&self.scene(variable, *value)?, &self.contenders);
-        let step = "drawing and enclosing";
-        let found = monitor.in_parallel(step, &values, [done, all], evaluate);
-        let found = found.await?;
+        let found = monitor
+            .in_parallel("drawing and enclosing", &values, [done, all], evaluate)
+            .await?;
         let mut times = Vec::new();
-        for (number, value) in values.iter().enumerate().filter(|_| self.time.is_some()) {
-            (monitor.progress)("timing frames", number as f64 / values.len() as f64);
-            let record = self.scene(variable, *value)?;
-            times.push(self.times(&record, values.len(), monitor).await?);
+        if let Some(time) = self.time {
+            for (number, value) in values.iter().enumerate() {
+                (monitor.progress)("timing frames", number as f64 / values.len() as f64);
+                let record = self.scene(variable, *value)?;
+                let of_value = self.times(&record, time / values.len() as u32, monitor);
+                times.push(of_value.await?);
+            }
         }
         let limit = limit(self.drawing.view().tolerance);
         let is_zoom = variable.is_zoom(&self.drawing.scene.world);
@@ -181,9 +180,8 @@ impl Request {
 /// # Errors
 /// If a value makes no scene, a picture does not fit in memory, or the work is cancelled.
 pub async fn measure(request: &Request, monitor: Monitor<'_>) -> anyhow::Result<Report> {
-    let counts = request.variables.iter();
-    let counts = counts.map(|it| it.values(request.steps).len());
-    let all = counts.sum();
+    let variables = request.variables.iter();
+    let all = variables.map(|it| it.values(request.steps).len()).sum();
     let (mut keys, mut done) = (Vec::new(), 0);
     for variable in &request.variables {
         let panel = request.panel(variable, [done, all], monitor).await?;
@@ -206,7 +204,6 @@ pub fn run(request: &Request, out: Option<&Path>, as_json: bool) -> anyhow::Resu
     if let Some(folder) = out {
         crate::output::files::make_folder(folder)?;
     }
-    ensure!(!request.variables.is_empty(), "no key is varied");
     let report = with_bar(async |monitor| measure(request, monitor).await)?;
     print(&report, as_json, None, || export::text(&report))?;
     for panel in report.keys.iter().filter(|panel| panel.is_still) {

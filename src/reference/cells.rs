@@ -122,7 +122,7 @@ mod tests {
                     "{sum} at {share:?} of {segments}"
                 );
             }
-            // Of floats the hull is its first value.
+            // The hull of floats is the first of them.
             assert!((0..3).all(|axis| vertices.iter().any(|it| it.0[axis] == hull.0[axis])));
         }
     }

@@ -55,10 +55,9 @@ impl<R: Real> EdgeFunction<R> {
         let gradient = middle(self.gradient);
         let [distance, right, down] =
             [self.at(centre.offset), self.right, self.down].map(|it| middle(it) / gradient);
-        let is_near = self.side(centre).is_none();
-        let steps = [ROOM, -ROOM].map(|step| [step, step - distance]);
-        let steps = steps.into_iter().flatten().filter(move |_| is_near);
-        steps.flat_map(move |across| {
+        let count = if self.side(centre).is_none() { 4 } else { 0 };
+        let steps = [ROOM, ROOM - distance, -ROOM, -ROOM - distance];
+        steps.into_iter().take(count).flat_map(move |across| {
             let reach = (EDGE * EDGE - across * across).max(0.0).sqrt();
             ALONG.map(|share| {
                 let [x, y] = centre.offset;

@@ -68,7 +68,7 @@ pub struct Meeting<R> {
     pub depth: R,
 }
 
-/// What a rectangle of the picture shows of a cuboid.
+/// The part of a cuboid that a rectangle of the picture shows.
 pub enum Shown {
     /// All of it this face.
     Face(usize),
@@ -198,8 +198,10 @@ impl<R: Real> CuboidGeometry<R> {
         };
         let ends = [(i, -1.0), (i, 1.0), (j, -1.0), (j, 1.0)];
         let edges = ends.map(|(axis, end)| {
-            let sign = R::of(-end * outwards);
-            self.edge(to(axis, end), |to, ahead| sign * passing(axis, to, ahead))
+            let inwards = R::of(-end * outwards);
+            self.edge(to(axis, end), |to, ahead| {
+                inwards * passing(axis, to, ahead)
+            })
         });
         let sign = R::of(outwards);
         // Ratios, because products of lengths may overflow f64.
@@ -285,7 +287,8 @@ impl<R: Real> CuboidGeometry<R> {
         })
     }
 
-    /// What a rectangle of the picture with these corners shows of the cuboid. Edge functions are affine, so one that has the same sign at all corners has it in all of the rectangle.
+    /// The part of the cuboid that a rectangle of the picture with these corners shows. Edge functions are affine, so one that
+    /// has the same sign at all corners has it in all of the rectangle.
     pub fn shown(&self, corners: &[Place; 4]) -> Shown {
         let mut shown = Shown::Nothing;
         for (number, face) in self.faces() {

@@ -166,7 +166,7 @@ impl<R: Real> ReferenceSurface<R> {
         let (zero, one) = (R::of(0.0), R::of(1.0));
         let sum = to_light + to_eye;
         let half = sum.unit();
-        // As of o.r.
+        // As for o.r.
         let cosine = (normal.dot(half)).both(one - (normal - half).length_squared() / R::of(2.0));
         let factor = cosine.max(zero).min(one).power(4.0 * self.shininess);
         match sum.length_squared().sign(0.0) {

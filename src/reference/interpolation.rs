@@ -82,7 +82,7 @@ impl MovingVector {
         }
     }
 
-    /// Those of the unit vector.
+    /// The derivatives of the unit vector.
     fn derivatives(&self, axis: usize) -> Derivatives {
         let [p, q] = self.rates[axis];
         let twice = p + p;
@@ -93,7 +93,7 @@ impl MovingVector {
         ]
     }
 
-    /// Those of the half-turn about it.
+    /// The derivatives of the half-turn about it.
     fn half_turn(&self, axis: usize) -> Derivatives {
         let [p, q] = self.rates[axis];
         let product = p * q;
@@ -101,7 +101,7 @@ impl MovingVector {
     }
 }
 
-/// Those of a product of vectors or turns of length one (Leibniz).
+/// The derivatives of a product of vectors or turns of length one (Leibniz).
 fn product(a: Derivatives, b: Derivatives) -> Derivatives {
     let mixed = a[0] * b[0];
     [
@@ -206,11 +206,11 @@ impl ReferenceCuboid<Interval> {
         // Times w, vectors from and to a point of the face's plane are affine in the picture.
         let w = lines.each_ref().map(|line| descent(face, line));
         let middle = &points[0];
-        let normal = self.surface.normal(face, middle);
+        let direction = self.surface.normal(face, middle);
         let normal = &if self.surface.has_shared_normals() {
-            MovingVector::new(normal, [0, 1, 2].map(|i| points[i].share * w[i]))?
+            MovingVector::new(direction, [0, 1, 2].map(|i| points[i].share * w[i]))?
         } else {
-            MovingVector::constant(normal)
+            MovingVector::constant(direction)
         };
         let to_eye = &MovingVector::new(middle.to_eye, lines.map(|line| -line.direction))?;
         let mut sum = RealVector::exact(DVec3::ZERO);

@@ -69,7 +69,7 @@ impl Interval {
         }
     }
 
-    /// Where the interval lies: `Greater` if it holds no negative number, `Less` if it holds no positive one.
+    /// The side of 0 on which the interval lies: `Greater` if it holds no negative number, `Less` if it holds no positive one.
     fn side(self) -> Option<Ordering> {
         if self.least >= 0.0 {
             Some(Ordering::Greater)
@@ -144,8 +144,8 @@ impl Real for Interval {
 
     fn sin_cos(degrees: f64) -> [Self; 2] {
         // The constant is the float below pi.
-        let radians = Interval::of(degrees) * Interval::new(PI, PI.next_up());
-        let radians = radians / Interval::of(180.0);
+        let half_turn = Interval::new(PI, PI.next_up());
+        let radians = Interval::of(degrees) * half_turn / Interval::of(180.0);
         [
             radians.map(EnclosureOps::sin),
             radians.map(EnclosureOps::cos),

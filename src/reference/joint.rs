@@ -31,8 +31,8 @@ impl<R: Real> Reference<R> {
         for place in edges.flat_map(|edge| edge.places(centre)) {
             self.meet_at(place, cuboids(), &mut together);
             unseen.retain_mut(|(face, is_met)| {
-                let own = face.map(|face| face / 6);
-                let own = cuboids().filter(|cuboid| Some(cuboid.number) == own);
+                let number = face.map(|face| face / 6);
+                let own = cuboids().filter(|cuboid| Some(cuboid.number) == number);
                 self.meet_at(place, own, &mut alone);
                 *is_met |= shows(&alone, *face);
                 !shows(&together, *face)

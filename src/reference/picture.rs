@@ -306,8 +306,8 @@ impl<R: Real> ReferenceCuboid<R> {
     fn lit(&self, face: usize, is_first: bool, place: &FacePoint<R>, open: Open) -> Lit<R> {
         if self.mode == ShadingMode::Flat {
             let (axis, outwards) = across(face);
-            let middle = RealVector::exact(DVec3::AXES[axis] * outwards / 2.0);
-            let middle = self.solid.at_share(middle);
+            let share = RealVector::exact(DVec3::AXES[axis] * outwards / 2.0);
+            let middle = self.solid.at_share(share);
             return self.surface.at_vertex(face, &middle, open & 1 == 1);
         }
         let is_phong = matches!(self.mode, ShadingMode::Phong | ShadingMode::BlinnPhong);

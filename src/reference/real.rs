@@ -220,7 +220,7 @@ mod tests {
                 }
             }
         }
-        // Of any direction.
+        // A vector of any direction.
         let around = Interval::of(-1.0).either(Interval::of(1.0));
         assert_eq!(
             RealVector([around; 3]).unit().0.map(Real::endpoints),

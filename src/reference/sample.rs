@@ -37,7 +37,7 @@ pub struct Sample {
     pub gouraud: DVec3,
     /// Phong's levels, unclamped.
     pub phong: DVec3,
-    /// Those of Blinn-Phong with four times the exponent.
+    /// Blinn-Phong's levels with four times the exponent, unclamped.
     pub blinn_phong: DVec3,
     /// The length of n under interpolated unit vectors, 0..=1.
     pub normal_length: f64,
@@ -73,7 +73,7 @@ pub struct LightSample {
     /// Its term under Phong, in unclamped levels.
     #[serde(skip)]
     pub phong: DVec3,
-    /// That under Blinn-Phong.
+    /// Its term under Blinn-Phong.
     #[serde(skip)]
     pub blinn_phong: DVec3,
 }

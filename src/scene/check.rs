@@ -85,18 +85,22 @@ impl CameraRecord {
         let is_across = unit(self.up).cross(unit(view)).length() >= PARALLEL;
         // The default `up` is rarely in the file, and rarely the mistake.
         let (key, found, expected) = if self.up == DVec3::Y {
-            let expected =
-                "a point that is not above or below `camera.position`, as `camera.up` is +y";
-            ("target", self.target, expected)
+            (
+                "target",
+                self.target,
+                "a point that is not above or below `camera.position`, as `camera.up` is +y",
+            )
         } else {
-            let expected =
-                "a direction that is neither zero nor parallel to the view, target - position";
-            ("up", self.up, expected)
+            (
+                "up",
+                self.up,
+                "a direction that is neither zero nor parallel to the view, target - position",
+            )
         };
         require(is_across, key, found.to_array(), expected)?;
         let zoom = self.orbit.zoom;
-        let is_seen = |size: f64| range_of("height").contains(&(size * zoom));
-        let is_seen = zoom == 1.0 || is_seen(length(view)) && is_seen(self.height);
+        let is_length = |size: f64| range_of("height").contains(&(size * zoom));
+        let is_seen = zoom == 1.0 || is_length(length(view)) && is_length(self.height);
         let expected = "a zoom that leaves distance and height from 1e-100 to 1e100";
         require(is_seen, "orbit.zoom", zoom, expected)
     }

@@ -18,6 +18,7 @@ use super::read::from_value;
 use super::record::SceneRecord;
 use super::{BUILT_IN, listed};
 use crate::components::numbers::{Number, number_of};
+use crate::output::words::joined;
 
 /// The lists of entities.
 const KINDS: [&str; 3] = ["cuboid", "light", "camera"];
@@ -46,11 +47,8 @@ impl fmt::Display for Key {
             let needs_quotes = part.is_empty() || part.contains(is_special);
             needs_quotes.then(|| toml_edit::Key::new(part).to_string())
         };
-        let parts = self
-            .0
-            .iter()
-            .map(|it| quoted(it).unwrap_or_else(|| it.clone()));
-        formatter.write_str(&parts.collect::<Vec<_>>().join("."))
+        let part = |it: &String| quoted(it).unwrap_or_else(|| it.clone());
+        formatter.write_str(&joined(self.0.iter().map(part), "."))
     }
 }
 

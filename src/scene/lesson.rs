@@ -72,7 +72,7 @@ pub enum Control {
     Tolerance,
     Shininess,
     Intensity,
-    /// Which lights are on.
+    /// The switches of the lights.
     On,
     /// The views of the picture.
     Show,

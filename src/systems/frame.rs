@@ -67,7 +67,7 @@ impl Workers {
 pub enum Keep {
     /// Displayed pixels, 0x00RRGGBB, in the format of the window.
     Display,
-    /// Of each pixel the unclamped, unrounded levels, the visible triangle and the kind of its square.
+    /// The unclamped, unrounded levels of each pixel, its visible triangle and the kind of its square.
     Levels,
 }
 

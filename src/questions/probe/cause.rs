@@ -26,7 +26,7 @@ impl ProbedSurface {
         let phong = sample.phong.to_array().map(displayed);
         let error = |channel: usize| (displayed(shortcut[channel]) - phong[channel]).abs();
         let errors = [2, 1, 0].map(|channel| (channel, error(channel)));
-        // Of equal ones, the first.
+        // The first of equal ones.
         errors
             .into_iter()
             .max_by(|one, other| one.1.total_cmp(&other.1))
@@ -36,15 +36,17 @@ impl ProbedSurface {
     fn missed(&self, channel: usize) -> Option<&LightSample> {
         let difference =
             |light: &LightSample| (light.gouraud[channel] - light.phong[channel]).abs();
-        let lights = self.lights().iter();
-        let lights = lights.filter(|light| light.kind != LightKind::Ambient);
+        let all = self.lights().iter();
+        let lights = all.filter(|light| light.kind != LightKind::Ambient);
         lights.max_by(|one, other| difference(one).total_cmp(&difference(other)))
     }
 
     /// The factors at the vertices of which [`Self::cause`] speaks.
     pub fn vertex_factors(&self) -> Option<[f64; 3]> {
-        let is_of_vertices = matches!(self.mode, ShadingMode::Gouraud | ShadingMode::Phong);
-        let (channel, _) = self.error().filter(|_| is_of_vertices)?;
+        if !matches!(self.mode, ShadingMode::Gouraud | ShadingMode::Phong) {
+            return None;
+        }
+        let (channel, _) = self.error()?;
         Some(self.missed(channel)?.vertex_factors)
     }
 

@@ -31,8 +31,8 @@ impl Probe {
         };
         let sample = surface.sample.as_ref();
         let shaded = |levels: DVec3, term: Levels<LightSample>| {
-            let terms = surface.lights().iter();
-            let terms = terms.map(|light| (light.name.clone(), json!(term(light))));
+            let named_term = |light: &LightSample| (light.name.clone(), json!(term(light)));
+            let terms = surface.lights().iter().map(named_term);
             json!({
                 "levels": levels,
                 "terms": terms.collect::<Map<_, _>>(),

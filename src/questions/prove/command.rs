@@ -55,8 +55,8 @@ pub fn run(
         }
         let pixels = picture.map_or_else(|| frame.pixels(), |(pixels, _)| pixels);
         let marked = pixels.iter().zip(&proof.marks);
-        let marked: Vec<u32> = marked.map(|(pixel, mark)| color(*pixel, *mark)).collect();
-        output.write_png(&marked, view.size)?;
+        let colors: Vec<u32> = marked.map(|(pixel, mark)| color(*pixel, *mark)).collect();
+        output.write_png(&colors, view.size)?;
     }
     let lines = || lines(drawing, &judged, picture.is_some()).join("\n");
     let mut record = record(drawing, &judged);
@@ -152,7 +152,7 @@ fn record(drawing: &Drawing, judged: &Judged) -> Value {
     record
 }
 
-/// What is known of a picture besides its proof.
+/// The facts about a judged picture besides its proof.
 fn of_picture(judged: &Judged) -> Value {
     let proof = &judged.proof;
     json!({ "own": proof.own, "own_proven": proof.own_proven, "causes": judged.causes })
@@ -188,7 +188,7 @@ fn right(proof: &Proof) -> String {
     if proof.own == 0 {
         return "-".to_owned();
     }
-    // Not all of them are never 100 %.
+    // Rounded down: 100 % are all of them.
     let tenths = (1000 * proof.own_proven / proof.own) as f64;
     format!("{:.1} %", tenths / 10.0)
 }

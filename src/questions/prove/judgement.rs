@@ -57,13 +57,12 @@ impl<const COUNT: usize> Judgement<'_, COUNT> {
         for (y, is_open) in rows.clone().zip(is_open.chunks(self.width)) {
             let first = (y - rows.start) * self.width;
             let open = (0..self.width).filter(|x| is_open[*x]);
-            let mut exact = Vec::new();
-            (self.reference).part_of_row(y, open.clone(), |_, seen| exact.push(seen[0]));
-            let mut exact = exact.into_iter();
+            let mut seen_in_f64 = Vec::new();
+            (self.reference).part_of_row(y, open.clone(), |_, seen| seen_in_f64.push(seen[0]));
+            let mut floats = seen_in_f64.into_iter();
             self.enclosures.part_of_row(y, open, |x, seen| {
-                let error = exact
-                    .next()
-                    .and_then(|exact| nearest(exact.face(), exact.levels, seen));
+                let float = floats.next();
+                let error = float.and_then(|it| nearest(it.face(), it.levels, seen));
                 let most = error.map_or(255.0, |[_, most]| most);
                 for (at, proof) in proofs.iter_mut().enumerate() {
                     let shown = self.shown(at, [x, y], seen);

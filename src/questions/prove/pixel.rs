@@ -16,7 +16,7 @@ use crate::questions::metrics::{difference, ends};
 use crate::reference::{Interval, Real, Seen};
 use crate::systems::frame::{Frame, display_step};
 
-/// How far a level may be from its byte, in levels.
+/// The largest distance of a level from its byte, in levels.
 pub(super) const ROUNDING: f64 = 0.5;
 
 /// The judgement of a pixel, the best first.
@@ -90,7 +90,7 @@ pub struct Shown {
     pub levels: [f64; 3],
     /// The bytes for a window; `None` if there are none to judge.
     pub bytes: Option<[u8; 3]>,
-    /// How far the levels may have been rounded: `ROUNDING` if they are bytes, else 0.
+    /// The largest rounding of the levels: `ROUNDING` if they are bytes, else 0.
     pub rounding: f64,
 }
 
@@ -171,8 +171,8 @@ pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 
         hidden.map_or(Verdict::Refuted, |error| of_error(error).max(Verdict::Gap))
     };
     let same = seen.iter().filter(|seen| seen.face() == shown.face);
-    let of_bytes = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
-    let of_bytes = shown.bytes.and_then(of_bytes).unwrap_or(of_levels);
+    let best = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
+    let of_bytes = shown.bytes.and_then(best).unwrap_or(of_levels);
     let mark = Mark {
         verdict: of_levels.max(of_bytes),
         is_outline: visible(seen).any(|other| other.face() != face),

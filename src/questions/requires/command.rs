@@ -8,7 +8,7 @@ use super::segments::{FewestSegments, fewest_segments};
 use super::{Part, PartChange, least, part_changes, ranked, without};
 use crate::components::View;
 use crate::output::progress::with_bar;
-use crate::output::words::{aligned, interval, short, wrapped};
+use crate::output::words::{aligned, interval, joined, short, wrapped};
 use crate::output::{Output, one_line, print, say};
 use crate::questions::job::Drawing;
 use crate::scene::{Scene, SceneRecord, updated};
@@ -89,16 +89,16 @@ fn write_least(
     let (left_out, change) =
         with_bar(async |monitor| least(scene, view, &candidates, monitor).await)?;
     rows.retain(|row| left_out.contains(&row.part));
-    let names: Vec<String> = rows.into_iter().map(|row| row.name).collect();
+    let names = joined(rows.into_iter().map(|row| row.name), ", ");
     let found = if names.is_empty() {
         "no light, cuboid, Phong shading or corner normals can be left out".to_owned()
     } else {
-        let (names, most) = (names.join(", "), (1e4 * change.most()).ceil() / 1e4);
+        let most = (1e4 * change.most()).ceil() / 1e4;
         format!("left out: {names}; errs by at most {most} levels, proven")
     };
     // A line break in a name would end the comment.
-    let comments = format!("The least scene for {subject}: {found}.");
-    let comments = wrapped(&comments.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
+    let sentence = format!("The least scene for {subject}: {found}.");
+    let comments = wrapped(&sentence.replace(char::is_control, "\u{fffd}")).replace('\n', "\n# ");
     let mut record = SceneRecord::of(&without(scene, &left_out).world);
     record.keep_active_camera();
     // The file gets the tolerance that was proven, and no budget.

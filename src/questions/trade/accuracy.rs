@@ -67,10 +67,10 @@ pub async fn errors(
         monitor.rest().await;
         progress("comparing pictures", f64::from(done) / methods.len() as f64);
         let pictures = async {
-            let kept = picture(&mut specular, *method, &before_black, &mut frame, monitor);
-            let kept = kept.await?;
-            let drawn = picture(&mut scene, *method, view, &mut frame, monitor).await?;
-            anyhow::Ok([kept, drawn])
+            anyhow::Ok([
+                picture(&mut specular, *method, &before_black, &mut frame, monitor).await?,
+                picture(&mut scene, *method, view, &mut frame, monitor).await?,
+            ])
         };
         let [kept, drawn] = match pictures.await {
             Ok(pictures) => pictures,

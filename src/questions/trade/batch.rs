@@ -90,7 +90,7 @@ pub async fn time_in_a_process(
             .stderr(Stdio::piped())
             .spawn()?;
         if let Some(mut input) = child.stdin.take() {
-            // A process that does not read it says why.
+            // A process that ends before it reads this says why.
             let _ = input.write_all(&serde_json::to_vec(&asked)?);
         }
         let output = child.wait_with_output()?;

@@ -3,7 +3,7 @@
 use super::timing::BATCHES;
 use super::verdict::verdict;
 use super::{LeftOut, Measurement, Report, is_timed};
-use crate::output::words::{self, aligned, counted, interval, short, wrapped};
+use crate::output::words::{self, aligned, counted, interval, joined, short, wrapped};
 
 /// The head of a column, and its cell for a method.
 type Column = (&'static str, fn(&Measurement) -> String);
@@ -43,7 +43,7 @@ pub fn table(report: &Report) -> String {
         wrapped(&left_out(report)),
         wrapped(&legend(report)),
     ];
-    // There is no verdict where none of its methods was measured, and mostly nothing is left out.
+    // The verdict may have nothing to say, and mostly nothing is left out.
     paragraphs.retain(|paragraph| !paragraph.is_empty());
     paragraphs.join("\n\n") + "\n"
 }
@@ -78,8 +78,7 @@ fn rows(report: &Report) -> impl Iterator<Item = [String; COLUMNS.len()]> {
 /// A sentence for each method that is left out.
 fn left_out(report: &Report) -> String {
     let sentence = |it: &LeftOut| format!("{} is left out: {}.", it.method.id, it.reason);
-    let sentences: Vec<String> = report.left_out.iter().map(sentence).collect();
-    sentences.join(" ")
+    joined(report.left_out.iter().map(sentence), " ")
 }
 
 /// The view in words.

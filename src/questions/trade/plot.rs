@@ -25,7 +25,7 @@ const ERRORS: Range<f64> = 5e-4..500.0;
 
 const SIZE: (u32, u32) = (960, 600);
 
-/// The place of a method: milliseconds of a frame, and levels. What is not timed lies at the `side`.
+/// The place of a method: milliseconds of a frame, and levels. A method that is not timed lies at the `side`.
 pub fn place_of(one: &Measurement, side: f64) -> (f64, f64) {
     let time = if is_timed(one.method) {
         one.timing.median
@@ -163,7 +163,7 @@ const LABEL: f64 = 12.0;
 fn front_line(methods: &[&Measurement], end: f64) -> Vec<(f64, f64)> {
     let mut least = ERRORS.end;
     let mut line = Vec::new();
-    // Of two best trades the slower errs less.
+    // The slower of two best trades errs less.
     for (time, error) in front(methods.iter().copied())
         .into_iter()
         .map(|it| place_of(it, end))

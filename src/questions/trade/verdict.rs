@@ -5,7 +5,7 @@
 use super::{Measurement, is_timed};
 use crate::components::Segments;
 use crate::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
-use crate::output::words::{capital, counted, is_narrow, pace, short, sure_pace};
+use crate::output::words::{capital, counted, is_narrow, joined, pace, short, sure_pace};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
@@ -23,14 +23,14 @@ pub fn verdict(measured: &[Measurement]) -> String {
     // The fewest vertices whose error is not visible, or else the most.
     let mut grids = measured.iter().filter(|it| it.method.segments.is_some());
     let is_unseen = |it: &&Measurement| it.largest_error().is_some_and(|it| it <= 2.0 * UNSEEN);
-    let enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
-    // Where one cell suffices, more are not worth a word.
+    let mut enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
+    // More cells are not worth a word if one suffices.
     let one = find(measured, Method::of(Gouraud, UNSEEN));
-    let enough = enough.filter(|_| one.is_none_or(|it| !is_unseen(&it)));
+    if one.is_some_and(|it| is_unseen(&it)) {
+        enough = None;
+    }
     let told = subjects.into_iter().filter_map(of).chain(enough);
-    let sentences = told.filter_map(|it| against_phong(measured, it, pace));
-    let sentences: Vec<String> = sentences.collect();
-    sentences.join(" ")
+    joined(told.filter_map(|it| against_phong(measured, it, pace)), " ")
 }
 
 /// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
@@ -55,14 +55,17 @@ pub fn is_sure(measured: &[Measurement], shown: Method) -> bool {
     let Some(shown) = find(measured, shown) else {
         return true;
     };
-    let others = [rival(measured, shown), gouraud_beside(measured, shown)];
-    let mut others = others.into_iter().flatten();
+    let compared = [rival(measured, shown), gouraud_beside(measured, shown)];
+    let mut others = compared.into_iter().flatten();
     others.all(|it| is_narrow(it.timing.interval, shown.timing.interval))
 }
 
 /// Gouraud, for Phong.
 fn gouraud_beside<'a>(measured: &'a [Measurement], shown: &Measurement) -> Option<&'a Measurement> {
-    find(measured, Method::of(Gouraud, UNSEEN)).filter(|_| shown.method.mode == Phong)
+    if shown.method.mode != Phong {
+        return None;
+    }
+    find(measured, Method::of(Gouraud, UNSEEN))
 }
 
 /// Phong within half a level; exact Phong for that itself, or if it was not measured. `None` for what is not timed.

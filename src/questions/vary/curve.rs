@@ -5,14 +5,14 @@ use serde::Serialize;
 use super::export::number;
 use super::picture::{Contender, Error};
 use super::variable::Variable;
-use crate::output::words::{interval, short};
+use crate::output::words::{interval, joined, short};
 use crate::questions::prove::Verdict;
 
 /// Ends are searched to this share of the range.
 pub const RESOLUTION: f64 = 0.01;
-/// Cuboids of these heights in pixels are small: whether the centre of a pixel lies in a highlight changes with the least zoom.
+/// Cuboids of these heights, in pixels, are small: the least zoom decides whether the centre of a pixel lies in a highlight.
 const SMALL: [f64; 2] = [0.5, 8.0];
-/// The logarithm of the ratio of two heights of small cuboids between which nothing is looked at.
+/// The longest step between two heights of small cuboids, as the logarithm of their ratio.
 const STEP: f64 = 0.02;
 
 /// The steps between two heights of small cuboids.
@@ -49,7 +49,7 @@ pub struct Curve {
     /// The ranges in which the error is proven to be within the tolerance, from the first value to the last. Each of their ends
     /// keeps it, and does not a hundredth of the range beyond.
     pub keeps: Vec<[f64; 2]>,
-    /// Where the key is the zoom of the camera in use, the heights of the cuboids at the ends of `keeps`, in pixels.
+    /// The heights of the cuboids at the ends of `keeps`, in pixels, if the key is the zoom of the camera in use.
     pub heights: Option<Vec<[f64; 2]>>,
     /// The ranges in which no compared pixel shows a cuboid, with such ends.
     pub empty: Vec<[f64; 2]>,
@@ -62,7 +62,7 @@ impl Curve {
     /// that of the cuboids, where the key is a zoom.
     ///
     /// # Errors
-    /// Those of `find`.
+    /// The errors of `find`.
     pub fn new(
         contender: &Contender,
         variable: &Variable,
@@ -74,13 +74,12 @@ impl Curve {
         let drawn = points.iter().filter(|it| it.found.pixels > 0);
         let verdicts = drawn.map(|it| Verdict::of(it.found.error, limit));
         let worst = verdicts.max().unwrap_or(Verdict::Proven);
-        let dense = height
-            .as_ref()
-            .map(|height| dense(variable, &points, find, height));
-        let dense = dense.transpose()?;
-        let between = dense.as_ref().unwrap_or(&points);
-        let keeps = ranges(variable, between, |found| found.keeps(limit), find)?;
-        let empty = ranges(variable, between, |found| found.pixels == 0, find)?;
+        let dense = match &height {
+            Some(height) => &dense(variable, &points, find, height)?,
+            None => &points,
+        };
+        let keeps = ranges(variable, dense, |found| found.keeps(limit), find)?;
+        let empty = ranges(variable, dense, |found| found.pixels == 0, find)?;
         let heights = height.and_then(|height| {
             let of_range = |[from, to]: &[f64; 2]| Some([height(*from)?, height(*to)?]);
             keeps.iter().map(of_range).collect()
@@ -107,29 +106,24 @@ impl Curve {
             [false, false] if from == to => format!("at {}", number(*from)),
             [false, false] => format!("from {} to {}", number(*from), number(*to)),
         };
-        let ranges: Vec<String> = ranges.iter().map(range).collect();
         if ranges.is_empty() {
             return "nowhere".to_owned();
         }
-        ranges.join(", ")
+        joined(ranges.iter().map(range), ", ")
     }
 
-    /// Where the tolerance is kept, in words.
+    /// The ranges that keep the tolerance, in words.
     pub fn kept(&self) -> String {
         let places = self.places(&self.keeps);
-        let heights = self.heights.as_deref().unwrap_or_default().iter();
-        let heights = heights.map(|[from, to]| interval([from.min(*to), from.max(*to)], short));
-        let heights: Vec<String> = heights.collect();
+        let height = |[from, to]: &[f64; 2]| interval([from.min(*to), from.max(*to)], short);
+        let heights = joined(self.heights.iter().flatten().map(height), " or ");
         if heights.is_empty() {
             return places;
         }
-        format!(
-            "{places}, where the cuboids are {} pixels high",
-            heights.join(" or ")
-        )
+        format!("{places}, where the cuboids are {heights} pixels high")
     }
 
-    /// Where no compared pixel shows a cuboid, in words, if there is such a range.
+    /// The ranges without a cuboid in compared pixels, in words, if there are any.
     pub fn emptiness(&self) -> Option<String> {
         let places = self.places(&self.empty);
         (!self.empty.is_empty()).then(|| places.replace("everywhere", "anywhere"))

@@ -1,7 +1,7 @@
 //! The ranges in which contenders keep the tolerance, as text for a terminal.
 
 use super::{Curve, Panel, Point, Report};
-use crate::output::words::{aligned, capital, rounded, short, wrapped};
+use crate::output::words::{aligned, capital, joined, rounded, short, wrapped};
 use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, limit};
 
@@ -28,14 +28,11 @@ fn name(id: &str) -> String {
 
 /// A table and a sentence for each key.
 pub fn text(report: &Report) -> String {
-    let parts = report
-        .keys
-        .iter()
-        .map(|panel| of_panel(panel, limit(report.tolerance)));
-    let parts: Vec<String> = parts.collect();
+    let of_panel = |panel| of_panel(panel, limit(report.tolerance));
+    let panels = joined(report.keys.iter().map(of_panel), "\n\n");
     let [width, height] = report.heading.size;
     let legend = format!("{LEGEND} Every pixel of {width}x{height} is compared.");
-    format!("{}\n\n{}", parts.join("\n\n"), wrapped(&legend))
+    format!("{panels}\n\n{}", wrapped(&legend))
 }
 
 fn of_panel(panel: &Panel, limit: f64) -> String {
@@ -76,12 +73,12 @@ fn of_panel(panel: &Panel, limit: f64) -> String {
         let (name, kept) = (name(curve.method), curve.kept());
         format!("{name} keeps {} {kept}.", levels(limit))
     });
-    let says: Vec<String> = says.chain(panel.emptiness()).collect();
+    let says = joined(says.chain(panel.emptiness()), " ");
     let text = format!("{key} from {from} to {to}\n\n{table}");
     if says.is_empty() {
         return text;
     }
-    format!("{text}\n\n{}", wrapped(&says.join(" ")))
+    format!("{text}\n\n{}", wrapped(&says))
 }
 
 fn levels(limit: f64) -> String {

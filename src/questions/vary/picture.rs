@@ -54,7 +54,7 @@ impl Contender {
         methods.chain([TEXTBOOK, REFERENCE])
     }
 
-    /// Those of a report, if none are chosen.
+    /// The contenders of a report if none are chosen.
     pub fn usual() -> Vec<Contender> {
         let ids = ["gouraud-0.5", "phong-0.5", "phong-unit-vectors"];
         let is_usual = |it: &Contender| ids.contains(&it.id) || it.method.is_none();
@@ -68,12 +68,12 @@ impl Contender {
         view: &View,
         level: Level,
     ) -> Result<Option<Frame>, OutOfMemory> {
-        let drawn = self.method.filter(|it| it.mode.is_drawn());
-        let frame = drawn.map(|method| {
-            let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
-            systems::draw(world, &method.view(view), &mut frame).map(|()| frame)
-        });
-        frame.transpose()
+        let Some(method) = self.method.filter(|it| it.mode.is_drawn()) else {
+            return Ok(None);
+        };
+        let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
+        systems::draw(world, &method.view(view), &mut frame)?;
+        Ok(Some(frame))
     }
 
     /// Its mode and its segments; `None` is exact Phong.
@@ -106,7 +106,7 @@ impl Error {
 pub struct Errors {
     /// By contender.
     pub of: Vec<Error>,
-    /// Of the background, and of all pixels that show a cuboid.
+    /// A hash of the background and of all pixels that show a cuboid.
     pub hash: u64,
     /// The height of the cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
     pub height: Option<f64>,
@@ -143,26 +143,23 @@ pub async fn errors(
         .iter()
         .map(|it| it.draw(&mut world, &view, level));
     let frames = drawn.collect::<Result<Vec<_>, _>>()?;
-    let pictures = contenders.iter().zip(&frames).map(|(contender, frame)| {
-        frame.as_ref().map_or_else(
-            || {
-                if *contender == TEXTBOOK {
-                    by_reference::<f32>(&world, &phong)
-                } else {
-                    let view = contender.method.map_or(phong, |it| it.view(&view));
-                    by_reference::<f64>(&world, &view)
-                }
-            },
-            |frame| Box::new(move |[x, y]: [usize; 2]| shown(frame, y * size[0] + x)) as Shown,
-        )
-    });
-    let pictures: Vec<Shown> = pictures.collect();
+    let framed = contenders.iter().zip(&frames);
+    let pictures: Vec<Shown> = framed
+        .map(|(contender, frame)| match (contender.method, frame) {
+            (_, Some(frame)) => by_frame(frame),
+            (Some(method), None) => by_reference::<f64>(&world, &method.view(&view)),
+            (None, None) if *contender == TEXTBOOK => by_reference::<f32>(&world, &phong),
+            (None, None) => by_reference::<f64>(&world, &phong),
+        })
+        .collect();
     let mut own = HashMap::new();
-    for contender in contenders.iter().filter(|_| compared == Compared::All) {
-        if let Some((definition, method)) = contender.definition().zip(contender.method) {
-            let view = method.view(&view);
-            own.entry(definition)
-                .or_insert_with(|| Reference::<Interval>::new(&world, &view));
+    if compared == Compared::All {
+        for contender in contenders {
+            if let Some((definition, method)) = contender.definition().zip(contender.method) {
+                let view = method.view(&view);
+                own.entry(definition)
+                    .or_insert_with(|| Reference::<Interval>::new(&world, &view));
+            }
         }
     }
     let exact = Reference::<Interval>::new(&world, &phong);
@@ -236,7 +233,12 @@ fn bounds(exact: &Reference<Interval>) -> [Range<usize>; 2] {
     seen.reduce(around).unwrap_or_default()
 }
 
-/// Phong by the reference in another arithmetic.
+/// The pixels of a frame.
+fn by_frame(frame: &Frame) -> Shown<'_> {
+    Box::new(|[x, y]| shown(frame, y * frame.size()[0] + x))
+}
+
+/// The pixels of the reference in floats.
 fn by_reference<'a, R: Real + 'a>(world: &World, view: &View) -> Shown<'a> {
     let reference = Reference::<R>::new(world, view);
     Box::new(move |pixel| {

@@ -44,8 +44,8 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
         let title = "The largest error against exact Phong, in levels of 255";
         chart::heading(&header, title, &[&about])?;
         key(&header, &report.keys[0].curves)?;
-        let panels = panels.split_evenly((rows as usize, columns as usize));
-        let mut panels = panels.iter().zip(&report.keys);
+        let areas = panels.split_evenly((rows as usize, columns as usize));
+        let mut panels = areas.iter().zip(&report.keys);
         panels.try_for_each(|(area, panel)| draw(area, panel, limit(report.tolerance)))
     })
 }

@@ -30,7 +30,7 @@ pub struct Refined {
     pub variable: Variable,
     /// The error that is to be kept, in levels.
     pub limit: f64,
-    /// Of the pictures.
+    /// Width and height of the pictures.
     pub size: [usize; 2],
     /// The scene with the first value, without what no error depends on.
     scene: Arc<SceneRecord>,
@@ -137,8 +137,10 @@ impl Refined {
             let middle = variable.at(f64::midpoint(from, to));
             let is_end = is_kept(&pair[0].1) != is_kept(&pair[1].1);
             let longest = if is_end { RESOLUTION } else { GAP };
-            let heights = [&pair[0], &pair[1]].map(|it| it.1.height.filter(|_| self.is_zoom));
-            let excess = ((to - from) / longest).max(steps_between(heights));
+            let mut excess = (to - from) / longest;
+            if self.is_zoom {
+                excess = excess.max(steps_between([pair[0].1.height, pair[1].1.height]));
+            }
             (excess > 1.0 && pair[0].0 < middle && middle < pair[1].0).then_some((middle, excess))
         });
         let longest = gaps.max_by(|one, other| one.1.total_cmp(&other.1));

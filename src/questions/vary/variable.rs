@@ -11,7 +11,7 @@ use crate::scene::SceneRecord;
 use crate::scene::key::{self, Key};
 
 /// The ratio of the ends from which on steps are those of the logarithm.
-const MANY: f64 = 10.0;
+const LOGARITHMIC_FROM: f64 = 10.0;
 
 /// The present value of a key.
 ///
@@ -88,7 +88,7 @@ impl Variable {
             key,
             from,
             to,
-            logarithmic: (from > 0.0 || to < 0.0) && (to / from).max(from / to) >= MANY,
+            logarithmic: (from > 0.0 || to < 0.0) && (to / from).max(from / to) >= LOGARITHMIC_FROM,
             is_whole,
         };
         for end in [from, to] {
@@ -149,8 +149,8 @@ impl Variable {
     /// The values from one end to the other in even steps, without repetitions.
     pub fn values(&self, steps: usize) -> Vec<f64> {
         let last = steps.max(2) - 1;
-        let values = (0..=last).map(|step| self.at(step as f64 / last as f64));
-        let mut values: Vec<f64> = values.collect();
+        let value = |step| self.at(step as f64 / last as f64);
+        let mut values: Vec<f64> = (0..=last).map(value).collect();
         values.dedup();
         values
     }
@@ -186,10 +186,10 @@ impl Variable {
 fn even(from: f64, to: f64) -> Vec<f64> {
     let least = (to - from) / 6.0;
     let power = 10.0_f64.powf(least.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
-    let step = steps.into_iter().find(|step| *step >= least);
+    let mut steps = [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power);
+    let round = steps.find(|step| *step >= least).unwrap_or(10.0 * power);
     // The smallest float, where a sixth of the range is below it.
-    let step = step.unwrap_or(10.0 * power).max(f64::from_bits(1));
+    let step = round.max(f64::from_bits(1));
     let first = (from / step).ceil() as i64;
     let numbers = (first..).map(|number| number as f64 * step);
     numbers.take_while(|value| *value <= to).collect()

@@ -102,7 +102,7 @@ fn moving(angle: f64, change: DVec3, axis: usize) -> MovingVector {
 
 /// n, l or o moves, and the other two rest; all lie in one plane.
 struct Movement {
-    /// Of n, l and o.
+    /// The angles of n, l and o.
     angles: [f64; 3],
     mover: usize,
     /// The mover is 1 + z x times itself, with z = q e^(i alpha).
@@ -111,7 +111,7 @@ struct Movement {
 }
 
 impl Movement {
-    /// What `of` says where the movement is along an axis.
+    /// The bound by `of` for a movement along an axis.
     fn bound(&self, axis: usize, of: impl Fn(&Directions) -> Interval) -> f64 {
         let vectors = [0, 1, 2].map(|index| {
             let angle = self.angles[index];
