@@ -9,14 +9,7 @@ use shadetrade::cli::{
     self, Command, ExtremesOptions, Failure, LessonOptions, ProbeOptions, ViewOptions,
 };
 use shadetrade::output::{self, Output};
-use shadetrade::questions::export;
-use shadetrade::questions::extremes;
-use shadetrade::questions::figures;
-use shadetrade::questions::probe;
-use shadetrade::questions::prove;
-use shadetrade::questions::requires;
-use shadetrade::questions::trade;
-use shadetrade::questions::vary;
+use shadetrade::questions::{export, extremes, figures, probe, prove, requires, trade, vary};
 use shadetrade::scene::{LESSONS, first_sentence};
 use shadetrade::window::{self, NoWindow};
 

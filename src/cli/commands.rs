@@ -16,12 +16,10 @@ use super::failure::Failure;
 use super::options::{self, BudgetOption, DrawingOptions, WorkerOptions};
 use crate::components::common;
 use crate::output::{Output, PngPicture, read_png};
-use crate::questions::export;
 use crate::questions::job::Drawing;
-use crate::questions::trade;
-use crate::questions::vary;
 use crate::questions::vary::picture::Contender;
 use crate::questions::vary::variable::Variable;
+use crate::questions::{export, trade, vary};
 use crate::scene::{BUILT_IN, Scene, SceneRecord};
 use crate::shading::{METHODS, Method, methods};
 

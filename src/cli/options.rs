@@ -18,9 +18,7 @@ use crate::components::{
 };
 use crate::output::files::check_place;
 use crate::output::{MAX_SIDE, Output, one_line};
-use crate::questions::job::Drawing;
-use crate::questions::job::MAX_THREADS;
-use crate::questions::job::all_cores;
+use crate::questions::job::{Drawing, MAX_THREADS, all_cores};
 use crate::scene::key::{self, Key};
 use crate::scene::{BUILT_IN, Scene, SceneRecord};
 use crate::shading::simd;

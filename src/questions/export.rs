@@ -19,8 +19,7 @@ use crate::components::{FACES, Mesh, NormalMode, Normals, TRIANGLES, Transform, 
 use crate::output::files::{folder_of, write_all};
 use crate::output::words::counted;
 use crate::output::{one_line, say};
-use crate::questions::job::Drawing;
-use crate::questions::job::camera_name;
+use crate::questions::job::{Drawing, camera_name};
 use crate::scene::{CuboidRecord, SceneRecord};
 
 /// The file of the materials: beside the OBJ file, with the ending .mtl and a name without blanks, at which readers split.

@@ -15,10 +15,8 @@ use serde_json::json;
 use toml::Table;
 
 use crate::components::{Camera, Projection, ShadingMode, TriangleId, View, names, viewer_mut};
-use crate::output::Monitor;
-use crate::output::finished;
 use crate::output::words::joined;
-use crate::output::{Output, print};
+use crate::output::{Monitor, Output, finished, print};
 use crate::questions::prove::{Example, Proof, Verdict, prove_at};
 use crate::scene::{EXTREMES, Scene, first_sentence};
 use crate::shading::limit;

@@ -13,8 +13,7 @@ use crate::components::{
     Name, NormalMode, Projection, Segments, ShadingMode, View, active_camera, common, get,
 };
 use crate::output::{one_line, say};
-use crate::scene::Scene;
-use crate::scene::unseen;
+use crate::scene::{Scene, unseen};
 use crate::systems::frame::Workers;
 
 /// The largest number of threads: more than the cores of common machines, fewer than the limit of a process.

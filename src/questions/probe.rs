@@ -5,12 +5,12 @@
 //! reference in f64.
 
 mod cause;
-mod json;
 mod page;
 
 use fearless_simd::Level;
 use glam::DVec3;
 use hecs::World;
+use serde_json::{Map, Value, json};
 
 use crate::components::{
     FileOrder, Light, Material, Mesh, Name, NormalMode, Projection, ShadingMode, Transform,
@@ -22,7 +22,7 @@ use crate::scene::Scene;
 use crate::shading::SquareKind;
 use crate::shading::square::MAX_SIDE;
 use crate::systems;
-use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers};
+use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers, display_step};
 
 /// The largest number of terms in a section.
 const MOST_TERMS: usize = 20_000;
@@ -216,4 +216,61 @@ fn sources(world: &World) -> Vec<Source> {
     let mut sources = in_file_order::<(&Name, &Light, Option<&Transform>), _>(world, source);
     sources.retain(|source| source.light.on);
     sources
+}
+
+/// The levels under one mode.
+type Levels<T> = fn(&T) -> DVec3;
+
+impl ProbedSurface {
+    /// The number of the triangle, and the reference's number if it differs.
+    pub fn triangle_label(&self) -> String {
+        let own = self.triangle;
+        match &self.sample {
+            Some(sample) if sample.triangle != own => {
+                format!("triangle {own} (reference: {})", sample.triangle)
+            }
+            _ => format!("triangle {own}"),
+        }
+    }
+}
+
+impl Probe {
+    /// The evaluation as JSON. A quantity that does not exist or is not finite is null.
+    pub fn json(&self) -> Value {
+        let Some(surface) = &self.surface else {
+            return json!({"pixel": self.pixel, "object": null});
+        };
+        let sample = surface.sample.as_ref();
+        let shaded = |levels: DVec3, term: Levels<LightSample>| {
+            let named_term = |light: &LightSample| (light.name.clone(), json!(term(light)));
+            let terms = surface.lights().iter().map(named_term);
+            json!({
+                "levels": levels,
+                "terms": terms.collect::<Map<_, _>>(),
+                "bytes": bytes(levels),
+            })
+        };
+        json!({
+            "pixel": self.pixel,
+            "object": surface.object,
+            "triangle": surface.triangle,
+            "position": sample.map(|it| it.position),
+            "normal": sample.map(|it| it.normal),
+            "to_eye": sample.map(|it| it.to_eye),
+            "lights": surface.lights(),
+            "gouraud": shaded(surface.gouraud, |light| light.gouraud),
+            "phong": shaded(surface.phong, |light| light.phong),
+            "reference": {
+                "triangle": sample.map(|it| it.triangle),
+                "gouraud": sample.map(|it| json!({"levels": it.gouraud})),
+                "phong": sample.map(|it| json!({"levels": it.phong})),
+                "blinn_phong": sample.map(|it| json!({"levels": it.blinn_phong})),
+            },
+        })
+    }
+}
+
+/// The levels after the display step.
+fn bytes(levels: DVec3) -> [u8; 3] {
+    levels.to_array().map(display_step)
 }

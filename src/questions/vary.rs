@@ -23,16 +23,13 @@ pub use self::curve::{Curve, Point};
 use self::picture::{Compared, Contender, Errors, errors};
 use self::variable::Variable;
 use crate::components::View;
-use crate::output::Monitor;
-use crate::output::finished;
 use crate::output::progress::with_bar;
-use crate::output::{self, one_line, print, say};
+use crate::output::{self, Monitor, finished, one_line, print, say};
 use crate::questions::job::{Drawing, Heading};
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::timing::of_batches;
 use crate::questions::trade::{self, is_timed};
-use crate::scene::unseen;
-use crate::scene::{Scene, SceneRecord};
+use crate::scene::{Scene, SceneRecord, unseen};
 use crate::shading::limit;
 
 /// The files of a report.

@@ -17,8 +17,7 @@ use crate::components::{
     FileOrder, Light, Material, Mesh, NormalMode, Segments, ShadingMode, Transform, TriangleId,
     View, in_file_order,
 };
-use crate::output::Monitor;
-use crate::output::memory;
+use crate::output::{Monitor, memory};
 
 /// Relative difference of depths below which two cuboids tie; the cuboid earlier in the file is then visible. Rounding
 /// in f64 separates two coplanar faces by far less, and a visible gap is far larger.

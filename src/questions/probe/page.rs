@@ -10,8 +10,7 @@ use std::fmt::Display;
 
 use glam::DVec3;
 
-use super::json::bytes;
-use super::{Probe, ProbedSurface, Source};
+use super::{Probe, ProbedSurface, Source, bytes};
 use crate::components::{LightKind, ShadingMode, TRIANGLES};
 use crate::output::one_line;
 use crate::output::words::CHANNELS;

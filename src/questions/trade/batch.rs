@@ -18,14 +18,11 @@ use toml::Value;
 
 use super::Request;
 use super::timing::{self, Batch};
-use crate::output::Monitor;
-use crate::output::Output;
-use crate::output::finished;
+use crate::output::{Monitor, Output, finished};
 use crate::questions::job::Drawing;
 use crate::scene::key::tree;
 use crate::scene::{Scene, SceneRecord};
-use crate::shading::METHODS;
-use crate::shading::simd;
+use crate::shading::{METHODS, simd};
 use crate::systems;
 use crate::systems::frame::{Frame, Keep};
 
