@@ -1,11 +1,13 @@
 //! The changes that keys make in a World, and the messages at their limits.
 
+use std::time::Duration;
+
 use shadetrade::components::ShadingMode::{Phong, UnitVectors};
 use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, viewer, viewer_mut};
 use shadetrade::scene::{self, Scene, SceneRecord};
 use shadetrade::window::choice::Choice;
 use shadetrade::window::controls::{
-    has_face_normals, next_camera, next_projection, set_tolerance, show, step_tolerance,
+    Rotation, has_face_normals, next_camera, next_projection, set_tolerance, show, step_tolerance,
     switch_light_named, switch_normals, wipe, zoom,
 };
 use shadetrade::window::facts::Facts;
@@ -91,6 +93,19 @@ fn normals_of_two_kinds_become_face_normals() {
         assert_eq!(has_face_normals(&world), !is_face);
         switch_normals(&mut world);
         assert_eq!(common(&world) == Some(NormalMode::Face), is_face);
+    }
+}
+
+#[test]
+fn cuboids_turn_by_the_clock_from_where_they_stopped() {
+    let mut world = default_scene().world;
+    let mut rotation = Rotation::default();
+    let after = |degrees: u32| Duration::from_millis(30) * degrees;
+    for (start, degrees, turned) in [(0, 400, 40), (1000, 1, 41)] {
+        rotation.switch(&mut world, after(start));
+        rotation.go_on(&mut world, after(start + degrees));
+        assert_eq!(viewer(&world).turned, turned);
+        rotation.switch(&mut world, after(start + degrees));
     }
 }
 
