@@ -132,19 +132,15 @@ pub fn section(
     // In a picture of the reference the squares are those of Phong.
     let is_drawn = view.shading.is_none_or(ShadingMode::is_drawn);
     let by_reference = (!is_drawn).then(|| Reference::<f64>::new(&scene.world, view));
-    let model = if is_drawn {
-        *view
-    } else {
-        view.shaded(ShadingMode::Phong)
-    };
+    let [as_gouraud, as_phong] =
+        [ShadingMode::Gouraud, ShadingMode::Phong].map(|it| view.shaded(it));
+    let model = if is_drawn { *view } else { as_phong };
     let mut draw = |view: &View| {
         let mut frame = Frame::new(Keep::Levels, Workers::alone(level));
         systems::draw_rows(&mut scene.world, view, rows.clone(), &mut frame)?;
         Ok(frame)
     };
-    let own = draw(&model)?;
-    let gouraud = draw(&view.shaded(ShadingMode::Gouraud))?;
-    let phong = draw(&view.shaded(ShadingMode::Phong))?;
+    let (own, gouraud, phong) = (draw(&model)?, draw(&as_gouraud)?, draw(&as_phong)?);
     let row = (y - top) * width;
     let columns = columns(&own.triangles()[row..row + width], x, lights);
     let samples = reference::in_row(&scene.world, &model, y, &columns);
@@ -162,12 +158,7 @@ pub fn section(
                 seen.face_id() == id.face_id()
             };
             let sample = sample.filter(own_face);
-            // Levels beyond f32 come from the reference. They give the same byte.
-            let finite = |frame: &Frame, exact: fn(&Sample) -> DVec3| {
-                let drawn = DVec3::from(levels(frame));
-                let exact = sample.as_ref().map_or(drawn, exact);
-                DVec3::select(drawn.is_finite_mask(), drawn, exact)
-            };
+            let of_sample = |of: fn(&Sample) -> DVec3| sample.as_ref().map(of);
             ProbedSurface {
                 object: name.0.clone(),
                 triangle: id.triangle(),
@@ -177,8 +168,8 @@ pub fn section(
                     .map_or_else(Default::default, |it| vertices(it, *shape)),
                 eye,
                 sources: sources.clone(),
-                gouraud: finite(&gouraud, |it| it.gouraud),
-                phong: finite(&phong, |it| it.phong),
+                gouraud: finite(levels(&gouraud), of_sample(|it| it.gouraud)),
+                phong: finite(levels(&phong), of_sample(|it| it.phong)),
                 drawn: by_reference
                     .as_ref()
                     .map_or_else(|| levels(&own), |it| it.at([x, y])[0].levels),
@@ -192,6 +183,12 @@ pub fn section(
         Probe { pixel, surface }
     });
     Ok(probes.collect())
+}
+
+/// The drawn levels. Those beyond f32 come from the reference, and give the same byte.
+fn finite(drawn: [f64; 3], exact: Option<DVec3>) -> DVec3 {
+    let drawn = DVec3::from(drawn);
+    DVec3::select(drawn.is_finite_mask(), drawn, exact.unwrap_or(drawn))
 }
 
 /// The columns of a row on the face that is visible at column `x`, fewer with very many lights.

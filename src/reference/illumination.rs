@@ -50,6 +50,30 @@ struct Corner<R> {
     to_lights: Vec<RealVector<R>>,
 }
 
+impl<R: Real> Corner<R> {
+    /// The vectors at a corner that is given relative to the cuboid's centre.
+    fn new(
+        solid: &CuboidGeometry<R>,
+        corner: DVec3,
+        normals: NormalMode,
+        lights: &[LightTerm<R>],
+    ) -> Self {
+        let place = RealVector::exact(corner);
+        let to_light = |light: &LightTerm<R>| (light.from_centre - place).unit();
+        Corner {
+            normals: match normals {
+                // The normals of the three faces there are the axes with these signs.
+                NormalMode::Corner => [RealVector::exact(corner.signum()).unit(); 3],
+                NormalMode::Face => {
+                    DVec3::AXES.map(|axis| RealVector::exact(corner.signum() * axis))
+                }
+            },
+            to_eye: solid.to_eye(place - solid.eye),
+            to_lights: lights.iter().map(to_light).collect(),
+        }
+    }
+}
+
 /// Levels, and how many tied gates they depend on. Gates of lights at one position open together and count once.
 #[derive(Clone, Copy)]
 pub struct Lit<R> {
@@ -99,22 +123,8 @@ impl<R: Real> ReferenceSurface<R> {
             }
         };
         let lights: Vec<_> = lights.iter().map(light_term).collect();
-        let corners = solid.mesh.corners.map(|corner| {
-            let place = RealVector::exact(corner);
-            Corner {
-                normals: match normals {
-                    // The normals of the three faces there are the axes with these signs.
-                    NormalMode::Corner => [RealVector::exact(corner.signum()).unit(); 3],
-                    NormalMode::Face => {
-                        DVec3::AXES.map(|axis| RealVector::exact(corner.signum() * axis))
-                    }
-                },
-                to_eye: solid.to_eye(place - solid.eye),
-                to_lights: (lights.iter())
-                    .map(|light| (light.from_centre - place).unit())
-                    .collect(),
-            }
-        });
+        let corners =
+            (solid.mesh.corners).map(|corner| Corner::new(solid, corner, normals, &lights));
         let mut surface = ReferenceSurface {
             without,
             shininess: material.shininess,

@@ -111,50 +111,12 @@ impl Reference<f64> {
         } else {
             touched(*face, place.share, *segments).0.pop()?
         };
-        let (normal, to_eye) = (surface.normal(*face, place), place.to_eye);
-        let to_world = |v: RealVector<f64>| {
-            let [x, y, z] = v.0;
-            (solid.axes[0] * x + solid.axes[1] * y + solid.axes[2] * z).to_dvec3()
+        let named = names.iter().enumerate();
+        let light = |(index, name): (usize, &String)| {
+            let between = (vertices, weights);
+            (met.cuboid).light_sample(index, name.clone(), (*face, place), between)
         };
-        let named = surface.lights.iter().zip(names).enumerate();
-        let lights = named.map(|(index, (light, name))| {
-            let to_light = surface.to_light(index, place);
-            let factor = |at: &FacePoint<f64>| {
-                let (normal, to_light) = (surface.normal(*face, at), surface.to_light(index, at));
-                surface.factor(light.kind, normal, at.to_eye, to_light, false)
-            };
-            let vertex_factors = vertices.map(|vertex| factor(&solid.at_share(vertex)));
-            let factor = factor(place);
-            let vertex_levels = vertex_factors.map(|factor| light.levels * factor);
-            let is_directed =
-                light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
-            let directed = |vector| is_directed.then(|| to_world(vector));
-            let is_lit = normal.dot(to_light) > 0.0;
-            let by_half = || {
-                if is_lit {
-                    surface.half_vector_factor(normal, to_eye, to_light)
-                } else {
-                    0.0
-                }
-            };
-            let half_vector_factor = (light.kind == LightKind::Specular).then(by_half);
-            let blinn_phong = light.levels * half_vector_factor.unwrap_or(factor);
-            LightSample {
-                name: name.clone(),
-                kind: light.kind,
-                to_light: directed(to_light),
-                reflected: directed(reflection(normal, to_light)),
-                half_vector: directed((to_light + to_eye).unit()).filter(|it| *it != DVec3::ZERO),
-                half_vector_factor,
-                factor,
-                vertex_factors,
-                strength: light.levels.to_dvec3(),
-                gouraud: blend(vertex_levels, weights).to_dvec3(),
-                phong: (light.levels * factor).to_dvec3(),
-                blinn_phong: blinn_phong.to_dvec3(),
-            }
-        });
-        let lights: Vec<LightSample> = lights.collect();
+        let lights: Vec<LightSample> = named.map(light).collect();
         let on_screen = solid.shortcut_weights(corners, on_face);
         let normals = corners.map(|corner| surface.corner_normal(*face, corner));
         Some(Sample {
@@ -163,9 +125,9 @@ impl Reference<f64> {
             segments: *segments,
             vertices: vertices.map(RealVector::to_dvec3),
             weights,
-            position: self.sight.eye + to_world(place.point),
-            normal: to_world(normal),
-            to_eye: to_world(to_eye),
+            position: self.sight.eye + solid.to_world(place.point),
+            normal: solid.to_world(surface.normal(*face, place)),
+            to_eye: solid.to_world(place.to_eye),
             gouraud: (met.cuboid)
                 .gouraud(*face, corners, on_face, place.share, 0)
                 .levels
@@ -175,5 +137,61 @@ impl Reference<f64> {
             lights,
             normal_length: blend(normals, on_screen).length_squared().sqrt(),
         })
+    }
+}
+
+impl ReferenceCuboid<f64> {
+    /// The contribution of the light at this index to a point of a face. Gouraud interpolates between vertices with their
+    /// weights.
+    fn light_sample(
+        &self,
+        index: usize,
+        name: String,
+        (face, place): (usize, &FacePoint<f64>),
+        (vertices, weights): ([RealVector<f64>; 3], [f64; 3]),
+    ) -> LightSample {
+        let (solid, surface) = (&self.solid, &self.surface);
+        let light = &surface.lights[index];
+        let factor_at = |at: &FacePoint<f64>| {
+            let (normal, to_light) = (surface.normal(face, at), surface.to_light(index, at));
+            surface.factor(light.kind, normal, at.to_eye, to_light, false)
+        };
+        let vertex_factors = vertices.map(|vertex| factor_at(&solid.at_share(vertex)));
+        let factor = factor_at(place);
+        let (normal, to_light) = (surface.normal(face, place), surface.to_light(index, place));
+        let is_directed = light.kind != LightKind::Ambient && to_light.to_dvec3() != DVec3::ZERO;
+        let directed = |vector| is_directed.then(|| solid.to_world(vector));
+        let is_lit = normal.dot(to_light) > 0.0;
+        let half_vector_factor = (light.kind == LightKind::Specular).then(|| {
+            if is_lit {
+                surface.half_vector_factor(normal, place.to_eye, to_light)
+            } else {
+                0.0
+            }
+        });
+        let half = (to_light + place.to_eye).unit();
+        let vertex_levels = vertex_factors.map(|factor| light.levels * factor);
+        LightSample {
+            name,
+            kind: light.kind,
+            to_light: directed(to_light),
+            reflected: directed(reflection(normal, to_light)),
+            half_vector: directed(half).filter(|it| *it != DVec3::ZERO),
+            half_vector_factor,
+            factor,
+            vertex_factors,
+            strength: light.levels.to_dvec3(),
+            gouraud: blend(vertex_levels, weights).to_dvec3(),
+            phong: (light.levels * factor).to_dvec3(),
+            blinn_phong: (light.levels * half_vector_factor.unwrap_or(factor)).to_dvec3(),
+        }
+    }
+}
+
+impl CuboidGeometry<f64> {
+    /// A vector in world space from one along the cuboid's axes.
+    fn to_world(&self, v: RealVector<f64>) -> DVec3 {
+        let [x, y, z] = v.0;
+        (self.axes[0] * x + self.axes[1] * y + self.axes[2] * z).to_dvec3()
     }
 }

@@ -18,7 +18,7 @@ use super::edge::EDGE;
 use super::geometry::Shown;
 use super::interpolation::{AMPLIFICATION, exact};
 use super::interval::Interval;
-use super::picture::Reference;
+use super::picture::{Reference, ReferenceCuboid};
 use super::real::Real;
 use super::sight::Place;
 use crate::components::{ShadingMode, TriangleId};
@@ -112,6 +112,29 @@ impl Reference<Interval> {
         }
     }
 
+    /// The faces that all of these columns and rows show if nothing else hides them. `None` if an edge may pass through.
+    fn faces(
+        &self,
+        pixels: [&Range<usize>; 2],
+        corners: &[Place; 4],
+    ) -> Option<Vec<(&ReferenceCuboid<Interval>, usize)>> {
+        let mut faces = Vec::new();
+        for cuboid in &self.cuboids {
+            let bounds = [&cuboid.solid.columns, &cuboid.solid.rows];
+            let is_beside = (bounds.iter().zip(pixels))
+                .any(|(bound, pixels)| bound.end <= pixels.start || pixels.end <= bound.start);
+            if is_beside {
+                continue;
+            }
+            match cuboid.solid.shown(corners) {
+                Shown::Face(face) => faces.push((cuboid, face)),
+                Shown::Nothing => {}
+                Shown::Undecided => return None,
+            }
+        }
+        Some(faces)
+    }
+
     /// The square of these columns and rows, if it shows one face under Phong that nothing hides, or the background, and is
     /// enclosed within `error` levels.
     fn square(&self, pixels: [&Range<usize>; 2], error: f64) -> Option<EnclosedSquare> {
@@ -125,20 +148,7 @@ impl Reference<Interval> {
             margin: EDGE,
         };
         let corners = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(place);
-        let mut shown = None;
-        for other in &self.cuboids {
-            let bounds = [&other.solid.columns, &other.solid.rows];
-            let is_beside = (bounds.iter().zip(pixels))
-                .any(|(bound, pixels)| bound.end <= pixels.start || pixels.end <= bound.start);
-            if is_beside {
-                continue;
-            }
-            match (other.solid.shown(&corners), shown) {
-                (Shown::Face(face), None) => shown = Some((other, face)),
-                (Shown::Nothing, _) => {}
-                (Shown::Face(_) | Shown::Undecided, _) => return None,
-            }
-        }
+        let faces = self.faces(pixels, &corners)?;
         let mut square = EnclosedSquare {
             columns: pixels[0].clone(),
             rows: pixels[1].clone(),
@@ -146,13 +156,16 @@ impl Reference<Interval> {
             coefficients: [[[0.0; 3]; 3]; 3],
             error: [0.0; 3],
         };
-        let Some((cuboid, face)) = shown else {
+        if faces.is_empty() {
             for (channel, level) in square.coefficients.iter_mut().zip(self.background.0) {
                 let [least, largest] = level.endpoints();
                 channel[0][0] = least;
                 debug_assert_eq!(least, largest, "a number of the scene");
             }
             return Some(square);
+        }
+        let [(cuboid, face)] = faces[..] else {
+            return None;
         };
         if cuboid.mode != ShadingMode::Phong {
             return None;

@@ -4,7 +4,7 @@ use super::ProbedSurface;
 use crate::components::{LightKind, ShadingMode};
 use crate::output::words::{CHANNELS, short};
 use crate::questions::metrics::displayed;
-use crate::reference::LightSample;
+use crate::reference::{LightSample, Sample};
 use crate::shading::SquareKind;
 
 /// Levels that differ by less than this agree: no eye tells them apart.
@@ -66,38 +66,42 @@ impl ProbedSurface {
         })
     }
 
+    /// The cause if the picture is flat or by the reference, and its evidence.
+    fn cause_of_shortcut(&self, sample: &Sample, channel: usize) -> Option<[String; 2]> {
+        let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
+        let instead = format!("{drawn} instead of {exact} in {}.", CHANNELS[channel]);
+        let (cause, evidence) = match self.mode {
+            ShadingMode::Gouraud | ShadingMode::Phong => return None,
+            ShadingMode::Flat => (
+                "Flat shading has one colour for the whole face:",
+                "The model is evaluated at its middle.".to_owned(),
+            ),
+            ShadingMode::BlinnPhong => (
+                "Blinn-Phong shows",
+                "Its highlight goes with n.h in place of o.r.".to_owned(),
+            ),
+            ShadingMode::UnitVectors => {
+                // Face normals keep their length; l and o do not.
+                let shorter = match sample.normal_length {
+                    length @ ..0.995 => format!("n has length {length:.2} here"),
+                    _ => "l and o are shorter than 1 here".to_owned(),
+                };
+                (
+                    "Interpolated unit vectors are too short:",
+                    format!("{shorter}, so n.l and o.r are no cosines."),
+                )
+            }
+        };
+        Some([format!("{cause} {instead}"), evidence])
+    }
+
     /// The cause of that difference, and its evidence.
     pub fn cause(&self) -> Option<[String; 2]> {
         let sample = self.sample.as_ref()?;
         let (channel, error) = self.error()?;
         let color = CHANNELS[channel];
-        let [drawn, exact] = [self.drawn[channel], sample.phong[channel]].map(level);
-        if self.mode == ShadingMode::Flat {
-            let cause = "Flat shading has one colour for the whole face";
-            return Some([
-                format!("{cause}: {drawn} instead of {exact} in {color}."),
-                "The model is evaluated at its middle.".to_owned(),
-            ]);
-        }
-        if self.mode == ShadingMode::BlinnPhong {
-            return Some([
-                format!("Blinn-Phong shows {drawn} instead of {exact} in {color}."),
-                "Its highlight goes with n.h in place of o.r.".to_owned(),
-            ]);
-        }
-        if self.mode == ShadingMode::UnitVectors {
-            let cause = "Interpolated unit vectors are too short";
-            let length = sample.normal_length;
-            // Face normals keep their length; l and o do not.
-            let shorter = if length < 0.995 {
-                format!("n has length {length:.2} here")
-            } else {
-                "l and o are shorter than 1 here".to_owned()
-            };
-            return Some([
-                format!("{cause}: {drawn} instead of {exact} in {color}."),
-                format!("{shorter}, so n.l and o.r are no cosines."),
-            ]);
+        if let Some(cause) = self.cause_of_shortcut(sample, channel) {
+            return Some(cause);
         }
         let Some(light) = self.missed(channel) else {
             let cause = "No diffuse or specular light is on: Gouraud and Phong agree.";

@@ -76,8 +76,18 @@ impl Contender {
         Ok(Some(frame))
     }
 
+    /// The pixels of what the reference draws.
+    fn by_reference<'a>(self, world: &World, view: &View) -> Shown<'a> {
+        let phong = view.shaded(ShadingMode::Phong);
+        match self.method {
+            Some(method) => by_reference::<f64>(world, &method.view(view)),
+            None if self == TEXTBOOK => by_reference::<f32>(world, &phong),
+            None => by_reference::<f64>(world, &phong),
+        }
+    }
+
     /// Its mode and its segments; `None` is exact Phong.
-    fn definition(self) -> Option<(ShadingMode, Option<usize>)> {
+    fn definition(self) -> Option<Definition> {
         let method = self.method.filter(|it| it.mode != ShadingMode::Phong);
         method.map(|it| (it.mode, it.segments.map(Segments::count)))
     }
@@ -121,6 +131,9 @@ pub enum Compared {
     Lattice(usize),
 }
 
+/// A mode and the segments under Gouraud.
+type Definition = (ShadingMode, Option<usize>);
+
 /// The pixels of a contender: the face at each, and its levels.
 type Shown<'a> = Box<dyn Fn([usize; 2]) -> (Option<usize>, [f64; 3]) + 'a>;
 
@@ -145,23 +158,15 @@ pub async fn errors(
     let frames = drawn.collect::<Result<Vec<_>, _>>()?;
     let framed = contenders.iter().zip(&frames);
     let pictures: Vec<Shown> = framed
-        .map(|(contender, frame)| match (contender.method, frame) {
-            (_, Some(frame)) => by_frame(frame),
-            (Some(method), None) => by_reference::<f64>(&world, &method.view(&view)),
-            (None, None) if *contender == TEXTBOOK => by_reference::<f32>(&world, &phong),
-            (None, None) => by_reference::<f64>(&world, &phong),
+        .map(|(contender, frame)| match frame {
+            Some(frame) => by_frame(frame),
+            None => contender.by_reference(&world, &view),
         })
         .collect();
-    let mut own = HashMap::new();
-    if compared == Compared::All {
-        for contender in contenders {
-            if let Some((definition, method)) = contender.definition().zip(contender.method) {
-                let view = method.view(&view);
-                own.entry(definition)
-                    .or_insert_with(|| Reference::<Interval>::new(&world, &view));
-            }
-        }
-    }
+    let own = match compared {
+        Compared::All => definitions(contenders, &world, &view),
+        Compared::Lattice(_) => HashMap::new(),
+    };
     let exact = Reference::<Interval>::new(&world, &phong);
     let mut found = Errors {
         of: vec![Error::default(); contenders.len()],
@@ -204,6 +209,23 @@ pub async fn errors(
     }
     found.hash = hasher.finish();
     Ok(found)
+}
+
+/// Enclosures of the contenders' own definitions.
+fn definitions(
+    contenders: &[Contender],
+    world: &World,
+    view: &View,
+) -> HashMap<Definition, Reference<Interval>> {
+    let mut found = HashMap::new();
+    for contender in contenders {
+        if let Some((definition, method)) = contender.definition().zip(contender.method) {
+            found
+                .entry(definition)
+                .or_insert_with(|| Reference::new(world, &method.view(view)));
+        }
+    }
+    found
 }
 
 /// The compared columns and rows of those in which cuboids may be seen.
