@@ -15,6 +15,7 @@ use std::mem;
 use std::ops::Range;
 use std::pin::pin;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::task::{Context as TaskContext, Poll, Waker};
 
 use anyhow::{Context, ensure};
@@ -67,42 +68,49 @@ impl Monitor<'_> {
         is_due
     }
 
-    /// Does `work` for each item, on rayon's current threads or with pauses between items. Returns the results in order.
+    /// Does `work` for each number, on rayon's current threads or with pauses between numbers. Returns the results in order.
     ///
-    /// `done` of `all` items of the step are finished before.
+    /// `done` of `all` numbers of the step are finished before.
     ///
     /// # Errors
     /// An error of `work`, or that the work is cancelled.
-    pub async fn in_parallel<T: Send, I: IntoParallelIterator>(
+    pub async fn in_parallel<T: Send>(
         &self,
         step: &'static str,
-        items: I,
+        numbers: Range<usize>,
         [done, all]: [usize; 2],
-        work: impl Fn(I::Item) -> anyhow::Result<T> + Sync,
-    ) -> anyhow::Result<Vec<T>>
-    where
-        I::Iter: IndexedParallelIterator,
-    {
+        work: impl Fn(usize) -> anyhow::Result<T> + Sync,
+    ) -> anyhow::Result<Vec<T>> {
         let done = AtomicUsize::new(done);
-        let one = |item| {
+        let first = numbers.start;
+        let found: Mutex<Vec<_>> = Mutex::new(numbers.clone().map(|_| None).collect());
+        let one = |number| {
             self.check()?;
-            let found = work(item)?;
+            let result = work(number)?;
+            found.lock().unwrap_or_else(PoisonError::into_inner)[number - first] = Some(result);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             (self.progress)(step, done as f64 / all as f64);
-            Ok(found)
+            Ok(())
         };
-        let items = items.into_par_iter();
         if self.is_due.is_none() {
-            return items.map(one).collect();
+            on_threads(numbers, &one)?;
+        } else {
+            for number in numbers {
+                one(number)?;
+                self.rest().await;
+            }
         }
-        let items: Vec<I::Item> = items.collect();
-        let mut found = Vec::with_capacity(items.len());
-        for item in items {
-            found.push(one(item)?);
-            self.rest().await;
-        }
-        Ok(found)
+        let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Ok(found.into_iter().flatten().collect())
     }
+}
+
+/// Does `work` for each number until it fails. It is compiled once, because parallel loops take long to compile.
+fn on_threads(
+    numbers: Range<usize>,
+    work: &(dyn Fn(usize) -> anyhow::Result<()> + Sync),
+) -> anyhow::Result<()> {
+    numbers.into_par_iter().try_for_each(work)
 }
 
 /// The result of work whose caller waits for it.

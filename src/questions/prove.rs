@@ -262,8 +262,8 @@ pub async fn prove_at<const COUNT: usize>(
             .map(|start| start..rows.end.min(start + MAX_SIDE))
             .collect();
         let done = [rows.start, height].map(|row| row.div_ceil(MAX_SIDE));
-        let strip = |strip| Ok(judgement.strip(&strip));
-        let found = monitor.in_parallel("proving", strips, done, strip);
+        let strip = |number: usize| Ok(judgement.strip(&strips[number]));
+        let found = monitor.in_parallel("proving", 0..strips.len(), done, strip);
         for strip in found.await? {
             for (proof, strip) in proofs.iter_mut().zip(strip) {
                 proof.append(strip);

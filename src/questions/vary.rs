@@ -130,10 +130,13 @@ impl Request {
         monitor: Monitor<'_>,
     ) -> anyhow::Result<Panel> {
         let values = variable.values(self.steps);
-        let evaluate = |value: &f64| self.errors(&self.scene(variable, *value)?, &self.contenders);
-        let found = monitor
-            .in_parallel("drawing and enclosing", &values, [done, all], evaluate)
-            .await?;
+        let evaluate = |number: usize| {
+            let scene = self.scene(variable, values[number])?;
+            self.errors(&scene, &self.contenders)
+        };
+        let step = "drawing and enclosing";
+        let found = monitor.in_parallel(step, 0..values.len(), [done, all], evaluate);
+        let found = found.await?;
         let mut times = Vec::new();
         if let Some(time) = self.time {
             for (number, value) in values.iter().enumerate() {

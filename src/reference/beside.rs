@@ -38,7 +38,7 @@ impl<R: Real> CuboidGeometry<R> {
         }
         let (across, outwards) = across(face);
         let descent = descent(face, line);
-        let step = edge::hypot(self.step.map(|step| step.0[across]));
+        let step = edge::hypot([self.step[0].0[across], self.step[1].0[across]]);
         let end = |axis: usize| {
             let ahead = line.direction.0[axis];
             let end = self.end(
@@ -73,7 +73,8 @@ impl<R: Real> CuboidGeometry<R> {
 
     /// The coordinates of the cuboid's lower and upper ends along all axes, relative to the eye.
     fn ends(&self) -> [RealVector<R>; 2] {
-        [-1.0, 1.0].map(|sign| RealVector([0, 1, 2].map(|axis| self.end(axis, sign))))
+        let ends = |sign| RealVector([self.end(0, sign), self.end(1, sign), self.end(2, sign)]);
+        [ends(-1.0), ends(1.0)]
     }
 
     /// A point clamped to the face.
@@ -82,8 +83,8 @@ impl<R: Real> CuboidGeometry<R> {
         let [from, to] = self.ends();
         let point = point.zip(from, R::max).zip(to, R::min);
         let share = self.share(face, point);
-        let [u, v] = face_axes(axis).map(|axis| share.0[axis]);
-        let order = signed(outwards, u - v).sign(0.0);
+        let [u, v] = face_axes(axis);
+        let order = signed(outwards, share.0[u] - share.0[v]).sign(0.0);
         FacePoint {
             point,
             share,

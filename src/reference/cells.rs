@@ -26,7 +26,7 @@ pub fn touched<R: Real>(
 ) -> (Vec<CellTriangle<R>>, RealVector<R>) {
     let (axis, outwards) = across(face);
     let axes = face_axes(axis);
-    let [zero, half, count] = [0.0, 0.5, segments as f64].map(R::of);
+    let [zero, half, count] = [R::of(0.0), R::of(0.5), R::of(segments as f64)];
     let place = axes.map(|axis| ((share.0[axis] + half) * count).max(zero).min(count));
     let cells = place.map(|it| it.endpoints().map(|end| (end as usize).min(segments - 1)));
     let at = |along: [R; 2]| {

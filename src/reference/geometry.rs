@@ -33,7 +33,7 @@ pub struct CuboidGeometry<R> {
     pub axes: [RealVector<R>; 3],
     pub mesh: Mesh,
     /// The reciprocals of the lengths of its edges.
-    per_edge: [R; 3],
+    per_edge: RealVector<R>,
     /// The eye relative to the cuboid's centre.
     pub eye: RealVector<R>,
     /// Change per pixel right and down of the line's direction in perspective, of its start in orthographic projection.
@@ -107,7 +107,7 @@ pub fn across(face: usize) -> (usize, f64) {
 
 /// A world vector in these axes.
 fn in_axes<R: Real>(axes: &[RealVector<R>; 3], v: RealVector<R>) -> RealVector<R> {
-    RealVector(axes.map(|axis| axis.dot(v)))
+    RealVector([axes[0].dot(v), axes[1].dot(v), axes[2].dot(v)])
 }
 
 /// w: the speed at which the line approaches the plane of a face. The line hits the plane only if it is positive.
@@ -130,9 +130,7 @@ impl<R: Real> CuboidGeometry<R> {
         let mut solid = CuboidGeometry {
             axes,
             mesh: *mesh,
-            per_edge: mesh.corners[7]
-                .to_array()
-                .map(|half| R::of(0.5) / R::of(half)),
+            per_edge: RealVector([R::of(0.5); 3]).zip(RealVector::exact(mesh.corners[7]), R::div),
             eye: in_axes(&axes, eye),
             step: [right * sight.pitch, -up * sight.pitch],
             forward,
@@ -205,11 +203,11 @@ impl<R: Real> CuboidGeometry<R> {
         });
         let sign = R::of(outwards);
         // Ratios, because products of lengths may overflow f64.
-        let [half_i, half_j] = [i, j].map(|axis| self.half(axis));
+        let [half_i, half_j] = [self.half(i), self.half(j)];
         let longer = half_i.max(half_j);
         let diagonal = self.edge(to(i, 0.0), |to, direction| {
-            let [of_i, of_j] = [i, j].map(|axis| passing(axis, to, direction));
-            of_i * (half_j / longer) - of_j * (half_i / longer)
+            passing(i, to, direction) * (half_j / longer)
+                - passing(j, to, direction) * (half_i / longer)
         });
         // The eye's height above the face, minus the line's descent up to the near plane.
         let pace = match self.projection {
@@ -242,8 +240,8 @@ impl<R: Real> CuboidGeometry<R> {
 
     /// The line of sight through a place, in the cuboid's axes.
     pub fn line(&self, place: Place) -> Line<R> {
-        let [right, down] = place.offset.map(R::of);
-        let moved = self.step[0] * right + self.step[1] * down;
+        let [right, down] = place.offset;
+        let moved = self.step[0] * R::of(right) + self.step[1] * R::of(down);
         let (start, direction) = match self.projection {
             Projection::Perspective => (RealVector::exact(DVec3::ZERO), self.forward + moved),
             Projection::Orthographic => (moved, self.forward),
@@ -353,7 +351,7 @@ impl<R: Real> CuboidGeometry<R> {
     /// [`FacePoint::share`] of a point of a face, which is given relative to the eye.
     pub fn share(&self, face: usize, point: RealVector<R>) -> RealVector<R> {
         let (axis, outwards) = across(face);
-        let mut share = (self.eye + point).zip(RealVector(self.per_edge), R::mul);
+        let mut share = (self.eye + point).zip(self.per_edge, R::mul);
         share.0[axis] = R::of(0.5 * outwards);
         share
     }

@@ -326,11 +326,11 @@ impl<R: Real> ReferenceSurface<R> {
 
     /// Gouraud (1971): the levels at the corners, interpolated over the triangle.
     pub fn gouraud(&self, face: usize, corners: [usize; 3], weights: [R; 3], open: Open) -> Lit<R> {
-        let lit: [_; 3] = std::array::from_fn(|i| {
+        let lit = |i: usize| {
             let levels = &self.corner_levels[open >> i & 1];
             levels[across(face).0 % levels.len()][corners[i]]
-        });
-        interpolated(lit, weights)
+        };
+        interpolated([lit(0), lit(1), lit(2)], weights)
     }
 
     /// The levels at a vertex of a face's grid, or at the middle of a flat face, with its tied gates closed or open.
@@ -349,7 +349,8 @@ impl<R: Real> ReferenceSurface<R> {
         open: Open,
     ) -> Lit<R> {
         let between = |vector: &dyn Fn(&Corner<R>) -> RealVector<R>| {
-            blend(corners.map(|corner| vector(&self.corners[corner])), weights)
+            let [a, b, c] = corners.map(|corner| &self.corners[corner]);
+            blend([vector(a), vector(b), vector(c)], weights)
         };
         let to_light = |light: usize| between(&|corner| corner.to_lights[light]);
         let normal = between(&|corner| corner.normals[across(face).0]);
@@ -371,8 +372,8 @@ pub fn reflection<R: Real>(normal: RealVector<R>, to_light: RealVector<R>) -> Re
 /// The levels between three vertices.
 pub fn interpolated<R: Real>(lit: [Lit<R>; 3], weights: [R; 3]) -> Lit<R> {
     Lit {
-        levels: blend(lit.map(|lit| lit.levels), weights),
-        ties: lit.iter().map(|lit| lit.ties).sum(),
+        levels: blend([lit[0].levels, lit[1].levels, lit[2].levels], weights),
+        ties: lit[0].ties + lit[1].ties + lit[2].ties,
     }
 }
 

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 use hecs::World;
-use rayon::prelude::*;
 
 use super::geometry::{CuboidGeometry, FacePoint, Meeting, across};
 use super::illumination::{Lit, Open, ReferenceSurface, TIES, blend};
@@ -232,9 +232,9 @@ impl<R: Real> Reference<R> {
                 if self.without == Some(Rule::DepthTest) {
                     return Some(true);
                 }
-                let [one, two] =
-                    [1.0 - DEPTH_TIE, 1.0 + DEPTH_TIE].map(|it| other.meeting.depth * R::of(it));
-                let order = (one.min(two) - meeting.depth).sign(0.0);
+                let times = |factor| other.meeting.depth * R::of(factor);
+                let least = times(1.0 - DEPTH_TIE).min(times(1.0 + DEPTH_TIE));
+                let order = (least - meeting.depth).sign(0.0);
                 order.map(|order| order == Ordering::Greater)
             };
             // One of `met` is visible so far, or the background. It is not known which: ties are not transitive.
@@ -352,10 +352,14 @@ pub async fn picture(
     levels.resize(width * rows.len(), [0.0; 3]);
     let mut triangles = memory::reserve_pixels(size)?;
     triangles.resize(width * rows.len(), TriangleId::NONE);
-    let triangle_rows = triangles.par_chunks_mut(width);
-    let lines = levels.par_chunks_mut(width).zip(triangle_rows);
-    let rows = rows.into_par_iter().zip(lines);
-    let draw = |(y, (levels, triangles)): (_, (&mut [_], &mut [_]))| {
+    let lines = levels.chunks_mut(width).zip(triangles.chunks_mut(width));
+    // Each is locked once, by the thread that draws it.
+    let lines: Vec<_> = lines.map(Mutex::new).collect();
+    let draw = |y: usize| {
+        let mut line = lines[y - above]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        let (levels, triangles) = &mut *line;
         reference.row(y, |x, seen| {
             // In floats a pixel shows exactly one surface.
             levels[x] = seen[0].levels;

@@ -119,12 +119,13 @@ pub struct RealVector<R>(pub [R; 3]);
 impl<R: Real> RealVector<R> {
     /// The vector of three exact numbers.
     pub fn exact(vector: DVec3) -> Self {
-        RealVector(vector.to_array().map(R::of))
+        RealVector([R::of(vector.x), R::of(vector.y), R::of(vector.z)])
     }
 
     /// Applies `of` to each pair of components.
     pub fn zip(self, other: Self, of: impl Fn(R, R) -> R) -> Self {
-        RealVector(std::array::from_fn(|i| of(self.0[i], other.0[i])))
+        let ([x, y, z], [a, b, c]) = (self.0, other.0);
+        RealVector([of(x, a), of(y, b), of(z, c)])
     }
 
     pub fn dot(self, other: Self) -> R {
@@ -142,8 +143,8 @@ impl<R: Real> RealVector<R> {
     }
 
     pub fn length_squared(self) -> R {
-        let [x, y, z] = self.0.map(R::square);
-        x + y + z
+        let [x, y, z] = self.0;
+        x.square() + y.square() + z.square()
     }
 
     /// The vector scaled to length 1; zero stays zero.
@@ -151,8 +152,11 @@ impl<R: Real> RealVector<R> {
     /// The squares of very long and very short vectors overflow or underflow f64, so those vectors are scaled first.
     /// Each component is clamped to -1..=1, because an interval exceeds it where the length may be 0.
     pub fn unit(self) -> Self {
-        let bounds = self.0.map(|x| x.endpoints().map(f64::abs)).concat();
-        let largest = bounds.into_iter().fold(0.0, f64::max);
+        let mut largest = 0.0_f64;
+        for component in &self.0 {
+            let [low, high] = component.endpoints();
+            largest = largest.max(low.abs()).max(high.abs());
+        }
         let is_extreme = largest.is_finite() && !(1e-100..1e100).contains(&largest);
         let scaled = if is_extreme && largest > 0.0 {
             self * R::of(largest.recip().min(f64::MAX))
@@ -164,7 +168,9 @@ impl<R: Real> RealVector<R> {
             return scaled;
         }
         let one = R::of(1.0);
-        RealVector(scaled.0.map(|x| (x / length).max(-one).min(one)))
+        let [x, y, z] = scaled.0;
+        let part = |x: R| (x / length).max(-one).min(one);
+        RealVector([part(x), part(y), part(z)])
     }
 }
 
@@ -191,14 +197,16 @@ impl<R: Real> Sub for RealVector<R> {
 impl<R: Real> Neg for RealVector<R> {
     type Output = Self;
     fn neg(self) -> Self {
-        RealVector(self.0.map(R::neg))
+        let [x, y, z] = self.0;
+        RealVector([-x, -y, -z])
     }
 }
 
 impl<R: Real> Mul<R> for RealVector<R> {
     type Output = Self;
     fn mul(self, factor: R) -> Self {
-        RealVector(self.0.map(|x| x * factor))
+        let [x, y, z] = self.0;
+        RealVector([x * factor, y * factor, z * factor])
     }
 }
 

@@ -133,7 +133,9 @@ impl Sight<Interval> {
 
 /// A cuboid's axes in world space, the columns of Rz * Ry * Rx.
 pub fn own_axes<R: Real>(transform: &Transform) -> [RealVector<R>; 3] {
-    let [[sx, cx], [sy, cy], [sz, cz]]: [[R; 2]; 3] = transform.rotation.to_array().map(sin_cos);
+    let angles = transform.rotation;
+    let [[sx, cx], [sy, cy], [sz, cz]]: [[R; 2]; 3] =
+        [sin_cos(angles.x), sin_cos(angles.y), sin_cos(angles.z)];
     [
         RealVector([cz * cy, sz * cy, -sy]),
         RealVector([cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx]),

@@ -19,7 +19,8 @@ impl<R: Real> CuboidGeometry<R> {
     /// ```
     pub fn weights(face: usize, is_first: bool, share: RealVector<R>) -> ([usize; 3], [R; 3]) {
         let (axis, outwards) = across(face);
-        let [u, v] = face_axes(axis).map(|axis| share.0[axis]);
+        let [u_axis, v_axis] = face_axes(axis);
+        let [u, v] = [share.0[u_axis], share.0[v_axis]];
         let half = R::of(0.5);
         let is_swapped = is_first != (outwards > 0.0);
         let (larger, smaller) = if is_swapped { (v, u) } else { (u, v) };
@@ -42,7 +43,8 @@ impl<R: Real> CuboidGeometry<R> {
         }
         let depths = RealVector(corners.map(|corner| self.corner_depth(corner)));
         let [a, b, c] = RealVector(weights).zip(depths, R::mul).0;
-        [a, b, c].map(|weight| weight / (a + b + c))
+        let sum = a + b + c;
+        [a / sum, b / sum, c / sum]
     }
 
     /// The weights of unit vectors: those on the screen, where no corner is nearer than the near plane.
