@@ -15,8 +15,8 @@
 //! | What is a lesson? | `lesson` |
 //! | Why is nothing seen in a picture? | [`unseen`] |
 //!
-//! Every number in a [`World`] spawned here is finite and within the range of its key in [`numbers`], and every name is unique within
-//! its kind. Nothing else reads or writes scene files.
+//! Every number in a [`World`] spawned here is finite and within the range of its key in [`crate::components::numbers`],
+//! and every name is unique within its kind. Nothing else reads or writes scene files.
 
 mod check;
 pub mod key;

@@ -72,25 +72,34 @@ impl Lamp {
     }
 }
 
-/// Lays out the lamps. A drag of a disc moves its lights across the view; both a drag and a click select the first.
-pub fn discs(ui: &Ui, world: &mut World, view: &View, canvas: &Canvas, desk: &mut Desk) {
+/// Lays out the arrows towards lamps outside of the picture.
+pub fn arrows(ui: &Ui, world: &World, view: &View, canvas: &Canvas) {
     for lamp in lamps(world, view, canvas) {
-        let id = ui.id().with(&lamp.names[0]);
         if let Some(way) = lamp.way {
+            let id = ui.id().with(&lamp.names[0]);
             let place = Rect::from_two_pos(lamp.at, lamp.at - ARROW * way).expand(RADIUS);
             ui.interact(place, id, Sense::hover()).on_hover_text(AWAY);
-        } else {
-            let place = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
-            let disc = ui.interact(place, id, Sense::click_and_drag());
-            if disc.dragged() {
-                let by = disc.drag_delta() * canvas.scale;
-                for name in &lamp.names {
-                    drag_light(world, view, name, by);
-                }
+            lamp.draw(ui.painter(), canvas.place);
+        }
+    }
+}
+
+/// Lays out the discs of lamps in sight. A drag moves its lights across the view; both a drag and a click select the first.
+pub fn discs(ui: &Ui, world: &mut World, view: &View, canvas: &Canvas, desk: &mut Desk) {
+    for lamp in lamps(world, view, canvas) {
+        if lamp.way.is_some() {
+            continue;
+        }
+        let place = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
+        let disc = ui.interact(place, ui.id().with(&lamp.names[0]), Sense::click_and_drag());
+        if disc.dragged() {
+            let by = disc.drag_delta() * canvas.scale;
+            for name in &lamp.names {
+                drag_light(world, view, name, by);
             }
-            if disc.clicked() || disc.drag_started() {
-                desk.select::<Light>(world, "light", &lamp.names[0]);
-            }
+        }
+        if disc.clicked() || disc.drag_started() {
+            desk.select::<Light>(world, "light", &lamp.names[0]);
         }
         lamp.draw(ui.painter(), canvas.place);
     }

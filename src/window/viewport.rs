@@ -11,7 +11,7 @@ use super::controls::{orbit, zoom};
 use super::document::Document;
 use super::inspector::Tab;
 use super::labels::Labels;
-use super::lights::discs;
+use super::lights::{arrows, discs};
 use super::marks::{draw_arrows, draw_line, mark_triangle, mark_vertices, outline};
 use super::unsaved::edits_bar;
 use super::widgets::{BAD, bar, tag};
@@ -52,11 +52,16 @@ impl App {
                 self.desk.divider = None;
             }
         }
+        let has_lamps = !is_alone && (show == ViewMode::Wipe || self.desk.is_open(Tab::Scene));
+        // In a narrow picture a tag lies over an arrow.
+        if has_lamps {
+            arrows(ui, &self.document.scene.world, &self.view(), &self.canvas);
+        }
         if show == ViewMode::Wipe && !is_alone {
             self.tags(ui);
         }
         // After the tags, so that a disc over one can be dragged.
-        if !is_alone && (show == ViewMode::Wipe || self.desk.is_open(Tab::Scene)) {
+        if has_lamps {
             let (view, world) = (self.view(), &mut self.document.scene.world);
             discs(ui, world, &view, &self.canvas, &mut self.desk);
         }
