@@ -129,13 +129,14 @@ impl App {
         }
     }
 
-    /// Closes the uppermost thing that can be closed. A lesson that is alone is left for the default scene.
+    /// Closes the uppermost thing that can be closed. A lesson that is alone is left for the scene before it.
     fn close_uppermost(&mut self) {
         if self.desk.close() {
             return;
         }
         if self.is_lesson_alone() {
-            return self.open(BUILT_IN[0].0);
+            let before = self.document.before_lessons.clone();
+            return self.open(before.as_deref().unwrap_or(BUILT_IN[0].0));
         }
         if let Some(divider) = self.desk.divider.take() {
             self.viewer_mut().divider = divider;

@@ -40,6 +40,8 @@ pub struct Document {
     pub folder: PathBuf,
     /// The step of the lesson, counted from 0.
     pub step: usize,
+    /// The name of the scene from which lessons were opened.
+    pub before_lessons: Option<String>,
 }
 
 impl Document {
@@ -51,6 +53,7 @@ impl Document {
             file: SceneFile::of(&scene),
             unsaved: None,
             folder: PathBuf::from("."),
+            before_lessons: None,
             step: 0,
             state,
             scene,
@@ -61,6 +64,11 @@ impl Document {
     pub fn open(&mut self, scene: Scene) {
         let before = std::mem::replace(self, Document::of(scene));
         self.folder = before.folder;
+        self.before_lessons = if before.scene.lesson.is_empty() {
+            Some(before.scene.name)
+        } else {
+            before.before_lessons
+        };
         if let Some(unsaved) = before.unsaved {
             self.keep_edits(&unsaved.folder);
         }

@@ -133,6 +133,17 @@ fn the_last_step_leads_to_the_next_lesson_and_escape_leaves() {
 }
 
 #[test]
+fn a_lesson_is_left_for_the_scene_before_it() {
+    let scene = Scene::load(Some("bench-far")).expect("a scene");
+    let mut window = Window::of(scene, SIZE);
+    for (name, _) in &LESSONS[..2] {
+        window.app.open(name);
+    }
+    window.press(Key::Escape);
+    assert_eq!(window.app.document.scene.name, "bench-far");
+}
+
+#[test]
 fn a_step_is_no_edit() {
     let mut window = open();
     window.press(Key::Enter);
