@@ -64,7 +64,7 @@ const WORDS: [(&str, &str); 19] = [
     ),
     (
         "reference",
-        "A second renderer in f64 that shares no formula with the first: the exact picture that errors are measured against.",
+        "A second renderer in f64 that shares no code with the first: the exact picture that errors are measured against.",
     ),
     (
         "highlight kept",

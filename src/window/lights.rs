@@ -5,8 +5,8 @@ use egui::{Align2, Color32, Pos2, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
 use hecs::World;
 
+use super::app::App;
 use super::canvas::Canvas;
-use super::desk::Desk;
 use super::tags::ROOM;
 use super::widgets::tag;
 use crate::components::numbers::range_of;
@@ -72,36 +72,38 @@ impl Lamp {
     }
 }
 
-/// Lays out the arrows towards lamps outside of the picture.
-pub fn arrows(ui: &Ui, world: &World, view: &View, canvas: &Canvas) {
-    for lamp in lamps(world, view, canvas) {
+/// Lays out the arrows towards those of the lamps that are outside of the picture, which is at `place`.
+pub fn arrows(ui: &Ui, lamps: &[Lamp], place: Rect) {
+    for lamp in lamps {
         if let Some(way) = lamp.way {
             let id = ui.id().with(&lamp.names[0]);
-            let place = Rect::from_two_pos(lamp.at, lamp.at - ARROW * way).expand(RADIUS);
-            ui.interact(place, id, Sense::hover()).on_hover_text(AWAY);
-            lamp.draw(ui.painter(), canvas.place);
+            let own = Rect::from_two_pos(lamp.at, lamp.at - ARROW * way).expand(RADIUS);
+            ui.interact(own, id, Sense::hover()).on_hover_text(AWAY);
+            lamp.draw(ui.painter(), place);
         }
     }
 }
 
-/// Lays out the discs of lamps in sight. A drag moves its lights across the view; both a drag and a click select the first.
-pub fn discs(ui: &Ui, world: &mut World, view: &View, canvas: &Canvas, desk: &mut Desk) {
-    for lamp in lamps(world, view, canvas) {
-        if lamp.way.is_some() {
-            continue;
-        }
-        let place = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
-        let disc = ui.interact(place, ui.id().with(&lamp.names[0]), Sense::click_and_drag());
-        if disc.dragged() {
-            let by = disc.drag_delta() * canvas.scale;
-            for name in &lamp.names {
-                drag_light(world, view, name, by);
+impl App {
+    /// Lays out the discs of those of the lamps that are in sight. A drag moves their lights across the view; both a drag and
+    /// a click select the first.
+    pub(super) fn discs(&mut self, ui: &Ui, lamps: &[Lamp]) {
+        let view = self.view();
+        let world = &mut self.document.scene.world;
+        for lamp in lamps.iter().filter(|it| it.way.is_none()) {
+            let own = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
+            let disc = ui.interact(own, ui.id().with(&lamp.names[0]), Sense::click_and_drag());
+            if disc.dragged() {
+                let by = disc.drag_delta() * self.canvas.scale;
+                for name in &lamp.names {
+                    drag_light(world, &view, name, by);
+                }
             }
+            if disc.clicked() || disc.drag_started() {
+                self.desk.select::<Light>(world, "light", &lamp.names[0]);
+            }
+            lamp.draw(ui.painter(), self.canvas.place);
         }
-        if disc.clicked() || disc.drag_started() {
-            desk.select::<Light>(world, "light", &lamp.names[0]);
-        }
-        lamp.draw(ui.painter(), canvas.place);
     }
 }
 

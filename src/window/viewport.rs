@@ -11,7 +11,7 @@ use super::controls::{orbit, zoom};
 use super::document::Document;
 use super::inspector::Tab;
 use super::labels::Labels;
-use super::lights::{arrows, discs};
+use super::lights::{arrows, lamps};
 use super::marks::{draw_arrows, draw_line, mark_triangle, mark_vertices, outline};
 use super::unsaved::edits_bar;
 use super::widgets::{BAD, bar, tag};
@@ -52,19 +52,17 @@ impl App {
                 self.desk.divider = None;
             }
         }
-        let has_lamps = !is_alone && (show == ViewMode::Wipe || self.desk.is_open(Tab::Scene));
-        // In a narrow picture a tag lies over an arrow.
-        if has_lamps {
-            arrows(ui, &self.document.scene.world, &self.view(), &self.canvas);
+        let mut shown = Vec::new();
+        if !is_alone && (show == ViewMode::Wipe || self.desk.is_open(Tab::Scene)) {
+            shown = lamps(&self.document.scene.world, &self.view(), &self.canvas);
         }
+        // In a narrow picture a tag lies over an arrow.
+        arrows(ui, &shown, self.canvas.place);
         if show == ViewMode::Wipe && !is_alone {
             self.tags(ui);
         }
         // After the tags, so that a disc over one can be dragged.
-        if has_lamps {
-            let (view, world) = (self.view(), &mut self.document.scene.world);
-            discs(ui, world, &view, &self.canvas, &mut self.desk);
-        }
+        self.discs(ui, &shown);
         // The terms are four pictures of half the size.
         if let Some(at) = click.filter(|_| show != ViewMode::Terms) {
             self.desk.has_clicked = true;
