@@ -10,7 +10,7 @@ use anyhow::Context;
 use egui::{Event, RawInput};
 
 use super::app::App;
-use super::display::{Display, is_set};
+use super::display::Display;
 use super::study::Runner;
 use super::unsaved::state_folder;
 use crate::output::Output;
@@ -199,6 +199,9 @@ pub fn restart_in_fit_environment() -> anyhow::Result<()> {
     #[cfg(all(unix, not(target_os = "macos")))]
     {
         use std::os::unix::process::CommandExt;
+
+        use super::display::is_set;
+
         const NO_METHOD: &str = "@im=none";
         let has_display = is_set("DISPLAY");
         let method = std::env::var_os("XMODIFIERS");
