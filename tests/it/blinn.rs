@@ -7,14 +7,11 @@
 //!  ________|________
 //! ```
 
-use glam::DVec3;
-use hecs::World;
 use shadetrade::components::LightKind::Specular;
 use shadetrade::components::ShadingMode::{BlinnPhong, Phong};
-use shadetrade::components::{NormalMode, Projection, View, overwrite};
 use shadetrade::reference::{Interval, Real, Reference};
 
-use crate::support::scene::{at, empty, shine, spawn_cuboid, truth, view, white};
+use crate::support::prelude::*;
 
 /// The face z = 0 under a light at this angle of incidence, seen from the mirror direction. Angles are in degrees.
 fn mirror(incidence: f64, shininess: f64, fov: f64) -> (World, View) {

@@ -1,13 +1,8 @@
 //! The view of the viewer, cameras and their orbits, and the lens of a view.
 
-use glam::{DVec3, dvec3};
-use shadetrade::components::{
-    Camera, Lens, Orbit, Projection, View, active_camera, names, viewer_mut,
-};
-use shadetrade::scene::{Scene, SceneRecord};
+use glam::dvec3;
 
-use crate::support::records;
-use crate::systems::{PROJECTIONS, ahead};
+use crate::support::prelude::*;
 
 /// Six units above its target.
 const RIGHT: DVec3 = dvec3(8.0, 6.0, 0.0);
@@ -38,22 +33,6 @@ fn moved(scene: &Scene, orbit: Orbit) -> Lens {
 
 fn seen_from(scene: &Scene) -> DVec3 {
     View::of(&scene.world, [3, 2]).camera.position
-}
-
-#[test]
-fn a_lens_has_the_axes_of_the_camera_and_the_size_of_a_pixel() {
-    // 90 degrees are two units at distance one; 20 units are 20 units.
-    for (projection, seen) in PROJECTIONS.into_iter().zip([2.0, 20.0]) {
-        for rows in [1, 200, 16384] {
-            let lens = Lens::new(&ahead(projection, [300, rows]));
-            assert_eq!(lens.axes, [DVec3::X, DVec3::Y, DVec3::NEG_Z]);
-            assert_eq!((lens.eye, lens.near), (DVec3::Z * 10.0, 1.0));
-            assert_eq!(lens.middle, [150.0, rows as f64 / 2.0]);
-            assert_eq!(lens.projection, projection);
-            let error = lens.pitch * rows as f64 - seen;
-            assert!(error.abs() < 1e-14, "{projection:?}, {rows} rows: {error}");
-        }
-    }
 }
 
 #[test]

@@ -5,22 +5,15 @@
 mod derivatives;
 mod overshoot;
 
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{LightKind, Material, Mesh, Projection, ShadingMode, Transform, View};
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::shading::SquareKind;
 use shadetrade::shading::simd::{NAMES, name, named};
 use shadetrade::systems;
-use shadetrade::systems::frame::{Counts, Frame, Keep, SQUARE_EDGE, Workers};
+use shadetrade::systems::frame::{Counts, SQUARE_EDGE};
 
 use crate::stability::life::Bits;
-use crate::support::cases::{cases, values};
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::random_scene::case;
-use crate::support::scene::{
-    at, draw, empty, limit, shine, spawn_cuboid, spawn_light, truth, view, white,
-};
 
 /// The used share of the permitted error at every pixel in which both pictures show the same triangle, with the kind of
 /// its square. No share may exceed 1.
@@ -333,10 +326,7 @@ fn exact_and_half(world: &mut World, size: [usize; 2]) -> [Counts; 2] {
 #[test]
 fn half_a_level_costs_no_more_in_small_pictures_and_less_under_many_lights() {
     let mut world = empty();
-    let material = Material {
-        specular: DVec3::splat(0.7),
-        ..white(76.8)
-    };
+    let material = grey([1.0, 1.0, 0.7], 76.8);
     let size = DVec3::new(4.0, 3.0, 2.0);
     spawn_cuboid(&mut world, size, at(DVec3::ZERO), material);
     shine(&mut world, LightKind::Diffuse, 12.5, DVec3::splat(10.0));

@@ -6,11 +6,14 @@
 mod crowds;
 mod same;
 
-use fearless_simd::Level;
 use rayon::prelude::*;
 use shadetrade::questions::extremes::{Extreme, KnownFact, Outcome, SIZE, named, run, table};
 use shadetrade::scene::EXTREMES;
 use shadetrade::shading::simd;
+
+use crate::support::prelude::*;
+
+const MATERIAL: Material = grey([0.3, 0.6, 0.7], 76.8);
 
 pub fn is_full() -> bool {
     std::env::var("SHADETRADE_EXTREMES").is_ok_and(|size| size == "full")

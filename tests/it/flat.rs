@@ -10,23 +10,13 @@
 
 use std::collections::HashSet;
 
-use glam::DVec3;
-use hecs::World;
 use shadetrade::components::LightKind::Diffuse;
-use shadetrade::components::{
-    Material, NormalMode, Projection, Segments, ShadingMode, View, overwrite,
-};
-use shadetrade::systems::frame::Keep;
 
 use crate::prove::proof;
-use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, truth, turned, view, white};
+use crate::support::prelude::*;
 
 /// Dull and white.
-const DULL: Material = Material {
-    ambient: DVec3::ZERO,
-    specular: DVec3::ZERO,
-    ..white(1.0)
-};
+const DULL: Material = grey([0.0, 1.0, 0.0], 1.0);
 
 /// 255 cos of the light's incidence at (x, y) of the face z = 0 under a light 1 above the origin.
 fn worked(x: f64, y: f64) -> f64 {

@@ -13,7 +13,7 @@ const MAX_LEVELS: u8 = 1;
 /// This many pixels may differ by more: for the same reason coverage may differ at an edge.
 const MAX_EDGE_PIXELS: usize = 12;
 
-const FIGURES: [&str; 6] = [
+pub const FIGURES: [&str; 6] = [
     "gouraud-camera-1",
     "gouraud-camera-2",
     "phong-camera-1",

@@ -1,13 +1,10 @@
 //! The built-in lessons say what their pictures show: every number in a sentence is computed again.
 
-use shadetrade::components::{LightKind, NormalMode, Segments, ShadingMode, View, ViewMode};
-use shadetrade::output::{Monitor, finished};
-use shadetrade::scene::{LESSONS, Scene, SceneRecord, Step};
-use shadetrade::shading::{Method, SquareKind};
-use shadetrade::systems::frame::Keep;
+use shadetrade::scene::{LESSONS, Step};
+use shadetrade::shading::SquareKind;
 use shadetrade::window::comparison::Comparison;
 
-use super::support::scene::draw;
+use crate::support::prelude::*;
 
 /// The size of a picture on a sheet.
 const SIZE: [usize; 2] = [640, 480];

@@ -3,23 +3,12 @@
 
 use std::sync::Mutex;
 
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{
-    LightKind, Material, NormalMode, Projection, Segments, ShadingMode, TriangleId, View, overwrite,
-};
-use shadetrade::output::{Monitor, finished};
 use shadetrade::reference::{Sample, in_row, picture};
 
-use crate::support::scene::{self, at, empty, shine, spawn_cuboid, truth, view};
+use crate::support::prelude::*;
+use crate::support::scene;
 
-/// kA 0.1, kD 1 and kE 0.5 in every channel.
-const MATERIAL: Material = Material {
-    ambient: DVec3::splat(0.1),
-    diffuse: DVec3::ONE,
-    specular: DVec3::splat(0.5),
-    shininess: 2.0,
-};
+const MATERIAL: Material = grey([0.1, 1.0, 0.5], 2.0);
 
 /// A view from this height on the z axis, 90 degrees or 10 units high.
 fn above(size: [usize; 2], height: f64, projection: Projection) -> View {
@@ -216,11 +205,7 @@ fn some_rows_equal_those_of_the_picture_and_each_is_reported_unless_it_is_cancel
     let mut rows = told.iter().zip(8..);
     assert!(rows.all(|(told, row)| (told - f64::from(row)).abs() < 1e-9));
     assert_eq!(told.len(), 12);
-    let cancelled = Monitor {
-        is_cancelled: &|| true,
-        ..Monitor::NONE
-    };
-    assert!(finished(picture(&world, &view, 0..30, cancelled)).is_err());
+    assert!(finished(picture(&world, &view, 0..30, CANCEL)).is_err());
 }
 
 /// Asserts the level of Gouraud with this many segments at points (x, y) of the face z = 2 of a cube from -2 to 2.

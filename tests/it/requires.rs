@@ -6,55 +6,32 @@ mod scenes;
 mod segments;
 mod sixteen;
 
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{
-    Background, FileOrder, LightKind, Material, Name, Orbit, Projection, Transform, View, Viewer,
-};
-use shadetrade::output::Monitor;
 use shadetrade::questions::requires::{Change, Part, changes, parts};
-use shadetrade::scene::{Scene, SceneRecord};
+use shadetrade::scene::CuboidRecord;
 
-use crate::support::scene::{done, empty, shine, spawn_cuboid, view};
+use crate::support::prelude::*;
 
 /// Reflects diffuse light fully, and half of specular light.
-pub const WHITE: Material = Material {
-    ambient: DVec3::ONE,
-    diffuse: DVec3::ONE,
-    specular: DVec3::splat(0.5),
-    shininess: 20.0,
-};
+pub const WHITE: Material = grey([1.0, 1.0, 0.5], 20.0);
 
-/// The scene of a world and of the camera of a view.
-fn scene_of(mut world: World, view: &View) -> Scene {
-    let camera = (
-        Name("1".to_owned()),
-        FileOrder(0),
-        view.camera,
-        Orbit::default(),
-    );
-    world.spawn(camera);
-    let viewer = Viewer {
-        projection: view.projection,
-        tolerance: view.tolerance,
-        ..Viewer::default()
-    };
-    world.spawn((viewer, Background(view.background)));
-    let mut scene = Scene::spawn("test".to_owned(), &SceneRecord::default());
-    scene.world = world;
-    scene
-}
-
-/// Cubes with edges of 2 under white lights, and a view of them.
+/// Cubes with edges of 2 under white lights, and the camera of a view of them.
 fn cubes(places: &[Transform], lights: &[(LightKind, f64, DVec3)], view: &View) -> Scene {
-    let mut world = empty();
-    for place in places {
-        spawn_cuboid(&mut world, DVec3::splat(2.0), *place, WHITE);
+    let mut record = SceneRecord::default();
+    for (number, place) in places.iter().enumerate() {
+        record.cuboid.push(CuboidRecord {
+            rotation: place.rotation,
+            material: WHITE,
+            ..records::cuboid(number.to_string(), [2.0; 3], place.position)
+        });
     }
-    for (kind, levels, position) in lights {
-        shine(&mut world, *kind, *levels, *position);
+    for (number, (kind, levels, position)) in lights.iter().enumerate() {
+        let light = records::light(number.to_string(), *kind, *levels, *position);
+        record.light.push(light);
     }
-    scene_of(world, view)
+    let camera = &view.camera;
+    let sees = [camera.fov, camera.height];
+    record.camera = vec![records::camera("1", camera.position, camera.target, sees)];
+    Scene::spawn("test".to_owned(), &record)
 }
 
 /// A view from +z towards the origin, in perspective, at half a level. Its sides are odd, so that the middle of the picture

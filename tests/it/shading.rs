@@ -13,16 +13,10 @@
 //!       -2        .  .  .  .  .
 //! ```
 
-use glam::DVec3;
-use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{
-    LightKind, Material, NormalMode, Projection, Segments, ShadingMode, Transform, TriangleId, View,
-};
-use shadetrade::systems::frame::Keep;
 
-use crate::support::scene::{at, draw, empty, spawn_cuboid, spawn_light, truth, turned, view};
+use crate::support::prelude::*;
 
 const MATERIAL: Material = Material {
     ambient: DVec3::new(0.1, 0.2, 0.3),
@@ -181,22 +175,6 @@ fn gouraud_interpolates_the_levels_at_the_corners() {
     for view in views() {
         let lamp = (Diffuse, [5.0, 5.0, 5.0], 2.0);
         assert_shares(lamp, &view.shaded(Gouraud), &shares);
-    }
-}
-
-#[test]
-fn a_light_that_a_vertex_reflects_to_the_eye_has_full_strength_there() {
-    let vertex = DVec3::new(-2.0, 2.0, 2.0);
-    let (n, o) = (vertex.normalize(), (DVec3::Z * 12.0 - vertex).normalize());
-    let mirrored = 2.0 * n.dot(o) * n - o;
-    for shininess in [0.0, 0.5, 1.0, 76.8, 1e3, 1e4, 1e6] {
-        for reach in [0.7, 3.0, 11.0] {
-            let lamp = (Specular, (vertex + mirrored * reach).into(), shininess);
-            for mode in [Gouraud, Phong, UnitVectors] {
-                let view = views()[FROM_AN_EYE].shaded(mode);
-                assert_shares(lamp, &view, &[([-2, 2], 1.0)]);
-            }
-        }
     }
 }
 

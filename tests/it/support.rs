@@ -2,6 +2,7 @@
 
 pub mod cases;
 pub mod extreme;
+pub mod prelude;
 pub mod random;
 pub mod random_scene;
 pub mod records;

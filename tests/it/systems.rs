@@ -1,37 +1,25 @@
-//! The systems of a frame, one file each, in the order of `systems::FRAME`. Entities are spawned by hand, the system
-//! runs, and the resulting components or pixels are compared with values from paper.
+//! The systems of a frame, in the order of `systems::FRAME`. Entities are spawned by hand, the system runs, and the
+//! resulting components or pixels are compared with values from paper.
 //!
 //! ```text
 //! spin -> normals -> projection -> lighting -> rasterization
 //! ```
-//! Coverage of polygons is tested in `tests/it/rasterization`.
+//! Normals are tested by proofs in `tests/it/prove`, coverage of polygons in `tests/it/rasterization`.
 
 mod frame;
 mod lighting;
-mod normals;
 mod projection;
 mod rasterization;
 mod spin;
 
-use fearless_simd::Level;
-use glam::{DVec3, dvec3};
-use hecs::{Entity, World};
-use shadetrade::components::{
-    Light, LightKind, Material, Projection, Transform, View, WorldTransform,
-};
-use shadetrade::systems::frame::{Frame, Keep, Workers};
+use glam::dvec3;
+use hecs::Entity;
 
-use crate::support::scene::{at, turned, view};
+use crate::support::prelude::*;
 
-pub const PROJECTIONS: [Projection; 2] = Projection::ALL;
+const PROJECTIONS: [Projection; 2] = Projection::ALL;
 
-/// kA 0.1, kD 0.5 and kE 1 in every channel, and a shininess of 2.
-const MATERIAL: Material = Material {
-    ambient: DVec3::splat(0.1),
-    diffuse: DVec3::splat(0.5),
-    specular: DVec3::ONE,
-    shininess: 2.0,
-};
+const MATERIAL: Material = grey([0.1, 0.5, 1.0], 2.0);
 
 /// An empty frame, drawn by the calling thread.
 fn empty_frame() -> Frame {
@@ -39,7 +27,7 @@ fn empty_frame() -> Frame {
 }
 
 /// From z = 10 towards the origin: 90 degrees or 20 units high, at tolerance 0, on black.
-pub fn ahead(projection: Projection, size: [usize; 2]) -> View {
+fn ahead(projection: Projection, size: [usize; 2]) -> View {
     let mut view = view(size, DVec3::Z * 10.0, DVec3::ZERO, projection);
     let camera = &mut view.camera;
     (camera.fov, camera.height, camera.near) = (90.0, 20.0, Some(1.0));

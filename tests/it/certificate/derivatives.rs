@@ -9,8 +9,6 @@ use std::array::from_fn;
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
-use glam::DVec3;
-use shadetrade::components::Illumination;
 use shadetrade::shading::Surface;
 use shadetrade::shading::affine::Affine;
 use shadetrade::shading::bound::{
@@ -20,9 +18,7 @@ use shadetrade::shading::gloss::Gloss;
 use shadetrade::shading::moving::{Extents, MAX_RADIUS, MovingVector};
 use shadetrade::shading::simd::{Baseline, baseline};
 
-use crate::support::cases::cases;
-use crate::support::random::Random;
-use crate::support::scene::white;
+use crate::support::prelude::*;
 
 /// The first four Taylor coefficients of a function of one variable.
 type Taylor = [f64; 4];

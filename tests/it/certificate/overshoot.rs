@@ -2,9 +2,8 @@
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
-use glam::{DMat3, DVec3};
+use glam::DMat3;
 use proptest::prelude::*;
-use shadetrade::components::{Illumination, Lens, PointLight, Projection, WorldTransform};
 use shadetrade::shading::Surface;
 use shadetrade::shading::face::{Face, OVERSHOOT, Plane, Rays};
 use shadetrade::shading::gloss::Gloss;
@@ -13,7 +12,7 @@ use shadetrade::shading::moving::Extents;
 use shadetrade::shading::phong::Phong;
 use shadetrade::shading::simd::baseline;
 
-use crate::support::scene::white;
+use crate::support::prelude::*;
 
 /// A number of any magnitude between two powers of ten.
 fn sized(from: i32, to: i32) -> impl Strategy<Value = f64> {

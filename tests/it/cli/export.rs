@@ -1,13 +1,10 @@
 //! The command `export`, read back by an independent reader of OBJ.
 
-use glam::DVec3;
-use shadetrade::components::{Material, Mesh, NormalMode, Transform, in_file_order};
-use shadetrade::scene::{self, Scene};
+use shadetrade::scene;
 use tobj::{GPU_LOAD_OPTIONS, LoadOptions};
 
 use super::{SCENE, assert_failed, assert_works, cube, folder, get, listing, put, run, shadetrade};
-use crate::support::records;
-use crate::support::scene::built_in_record;
+use crate::support::prelude::*;
 
 type Parts<'a> = (&'a Transform, &'a Mesh, &'a NormalMode, &'a Material);
 

@@ -1,11 +1,9 @@
 //! The command `requires`.
 
 use serde_json::json;
-use shadetrade::components::{Camera, Mesh, names, viewer};
-use shadetrade::scene::Scene;
 
 use super::{cube, decode, folder, get, json, keys, listing, put, run, said};
-use crate::support::scene::text_without_view;
+use crate::support::prelude::*;
 
 #[test]
 fn json_has_every_part_in_order_and_requires_those_that_are_not_proven() {

@@ -1,25 +1,12 @@
 //! Extremes that need a generator: thousands of lights and cuboids, and the largest picture.
 
-use fearless_simd::Level;
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
-use shadetrade::output::Monitor;
 use shadetrade::questions::prove::{nearest, prove_at};
 use shadetrade::reference::{Interval, Reference, Seen};
 use shadetrade::shading::SquareKind;
 use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
 
-use super::is_full;
-use crate::support::scene::{at, done, draw, empty, placed, shine, spawn_cuboid, view};
-
-const MATERIAL: Material = Material {
-    ambient: DVec3::splat(0.3),
-    diffuse: DVec3::new(0.1, 0.6, 0.1),
-    specular: DVec3::splat(0.7),
-    shininess: 76.8,
-};
+use super::{MATERIAL, is_full};
+use crate::support::prelude::*;
 
 const EYE: DVec3 = DVec3::new(7.0, 5.0, 8.0);
 

@@ -1,21 +1,8 @@
 //! The renderer draws the same bits with and without an extreme.
 
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{
-    Material, Mesh, Projection, ShadingMode, Transform, TriangleId, View,
-};
-use shadetrade::systems::frame::Keep;
-
+use super::MATERIAL;
 use crate::stability::life::{Bits, still_life, views};
-use crate::support::scene::{at, draw, empty, shine, spawn_cuboid, turned, view};
-
-const MATERIAL: Material = Material {
-    ambient: DVec3::splat(0.3),
-    diffuse: DVec3::splat(0.6),
-    specular: DVec3::splat(0.7),
-    shininess: 76.8,
-};
+use crate::support::prelude::*;
 
 /// Asserts that two worlds have the same picture, bit by bit, and that a cuboid is visible.
 fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>), what: &str) {
@@ -27,46 +14,6 @@ fn assert_same(plain: &mut (World, Vec<View>), extreme: &mut (World, Vec<View>),
         assert!(seen.count() > 100, "{what}");
         let found = Bits::of(&draw(&mut extreme.0, other, Keep::Levels));
         assert!(found == expected, "{what}, {other:?}");
-    }
-}
-
-/// The scene of three cuboids with all lengths multiplied and all positions moved. The near plane cuts a corner off.
-fn still_life_at(scale: f64, shift: DVec3) -> (World, Vec<View>) {
-    let mut world = still_life(3);
-    for mesh in world.query_mut::<&mut Mesh>() {
-        *mesh = Mesh::cuboid(mesh.size() * scale);
-    }
-    let place = |place: DVec3| place * scale + shift;
-    for transform in world.query_mut::<&mut Transform>() {
-        transform.position = place(transform.position);
-    }
-    let mut views = views([128, 96]);
-    for view in &mut views {
-        let camera = &mut view.camera;
-        camera.position = place(camera.position);
-        camera.target = place(camera.target);
-        camera.height *= scale;
-        camera.near = Some(8.0 * scale);
-    }
-    (world, views)
-}
-
-#[test]
-fn scaling_by_a_power_of_two_changes_no_bit() {
-    let mut plain = still_life_at(1.0, DVec3::ZERO);
-    for power in (-40..=40).step_by(5).chain([-300, 300]) {
-        let mut scaled = still_life_at(2.0_f64.powi(power), DVec3::ZERO);
-        assert_same(&mut plain, &mut scaled, &format!("2^{power}"));
-    }
-}
-
-#[test]
-fn moving_everything_by_an_integer_changes_no_bit() {
-    let mut plain = still_life_at(1.0, DVec3::ZERO);
-    for far in [1e3, -1e6, 1e9, -1e12] {
-        let shift = DVec3::new(far, -0.5 * far, 0.25 * far);
-        let mut moved = still_life_at(1.0, shift);
-        assert_same(&mut plain, &mut moved, &format!("{far:e}"));
     }
 }
 
@@ -112,12 +59,7 @@ fn a_hidden_cuboid_or_a_speck_changes_no_bit() {
 #[test]
 fn a_near_plane_in_the_plane_of_a_face_clips_nothing_of_it() {
     let frontal = |near: f64| {
-        let mut world = empty();
-        let size = DVec3::new(4.0, 3.0, 2.0);
-        spawn_cuboid(&mut world, size, at(DVec3::ZERO), MATERIAL);
-        for kind in shadetrade::components::LightKind::ALL {
-            shine(&mut world, kind, 90.0, DVec3::splat(10.0));
-        }
+        let (world, _) = cuboids(&[([4.0, 3.0, 2.0], [0.0; 3])]);
         let views = Projection::ALL.into_iter().flat_map(|projection| {
             let mut view = view([128, 96], DVec3::Z * 10.0, DVec3::ZERO, projection);
             view.camera.near = Some(near);

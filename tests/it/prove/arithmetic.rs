@@ -2,13 +2,11 @@
 //!
 //! The value with 256 bits stands for the exact one: its relative error is some 1e-70.
 
-use shadetrade::components::{Projection, ShadingMode};
 use shadetrade::reference::{Interval, Real, Seen};
 
 use super::naive::{Big, Scene, big, power, sine_and_cosine};
 use super::{enclosures, known};
-use crate::support::cases::{cases, values};
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::random_scene::case;
 
 /// Whether an enclosure holds a value.

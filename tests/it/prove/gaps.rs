@@ -1,21 +1,13 @@
 //! Gaps: what a pixel would show only where faces that touch left room is neither proven nor refuted.
 
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{LightKind, Projection, ShadingMode, Transform, TriangleId, View};
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::questions::prove::Verdict::{Gap, Refuted};
 use shadetrade::questions::prove::{Proof, Shown, judge, shown};
 use shadetrade::reference::{Interval, Real, Reference, Seen};
-use shadetrade::scene::Scene;
-use shadetrade::systems::frame::{Keep, display_step};
+use shadetrade::systems::frame::display_step;
 
 use super::{enclosures, judged, proof};
-use crate::support::cases::cases;
-use crate::support::random::Random;
-use crate::support::scene::{
-    at, built_in, draw, empty, placed, shine, spawn_cuboid, truth, view, white,
-};
+use crate::support::prelude::*;
 
 /// No face and no mixture of faces looks like it.
 const BACKGROUND: DVec3 = DVec3::new(255.0, 0.0, 255.0);

@@ -2,16 +2,12 @@
 
 use std::f64::consts::SQRT_2;
 
-use glam::{DMat3, DVec3};
-use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
+use glam::DMat3;
 use shadetrade::questions::prove::{Shown, Verdict, judge};
 
 use super::{enclosures, proof};
 use crate::requires::WHITE;
-use crate::support::cases::cases;
-use crate::support::random::Random;
-use crate::support::scene::{at, empty, shine, spawn_cuboid, turned, view};
+use crate::support::prelude::*;
 
 /// One pixel in the middle of a face under an ambient light of 200 levels and `count` diffuse lights of 7e-6 levels,
 /// each straight above the middle.
@@ -121,12 +117,7 @@ pub fn vast_cuboid(projection: Projection, mode: ShadingMode) -> (World, View) {
     (world, view.shaded(mode))
 }
 
-const SHINY: Material = Material {
-    ambient: DVec3::ZERO,
-    diffuse: DVec3::ZERO,
-    specular: DVec3::ONE,
-    shininess: 1.0,
-};
+const SHINY: Material = grey([0.0, 0.0, 1.0], 1.0);
 
 /// A cube of two units with any rotation, and its axes.
 fn any_cube(random: &mut Random) -> (World, DMat3) {

@@ -8,12 +8,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{
-    FACES, Light, LightKind, Material, Mesh, NormalMode, Projection, Segments, ShadingMode,
-    TRIANGLES, Transform, View,
-};
+
+use crate::support::prelude::*;
 
 /// A float of [`BITS`] bits.
 pub type Big = FBig<HalfEven, 2>;

@@ -2,14 +2,12 @@
 
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
-use shadetrade::components::{Projection, ShadingMode, View};
 use shadetrade::output::read_png;
 use shadetrade::questions::prove::Verdict;
-use shadetrade::scene::{BUILT_IN, Scene};
-use shadetrade::systems::frame::Keep;
+use shadetrade::scene::BUILT_IN;
 
 use super::judged;
-use crate::support::scene::draw;
+use crate::support::prelude::*;
 
 const SIZE: [usize; 2] = [80, 60];
 

@@ -2,17 +2,12 @@
 //!
 //! `SHADETRADE_CASES` sets the number of scenes; the first n are always the same.
 
-use glam::DVec3;
-use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{Mesh, ShadingMode, Transform, View, length};
 
 use super::proof;
-use crate::support::cases::{cases, values};
 use crate::support::extreme::{exaggerated, flatten, graze};
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::random_scene::{Case, between, case};
-use crate::support::scene::truth;
 
 /// A scene and a tolerance in levels.
 fn asked() -> impl Strategy<Value = (Case, f64)> {

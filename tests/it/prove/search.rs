@@ -5,16 +5,11 @@
 
 use std::f64::consts::TAU;
 
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{LightKind, Material, Projection, ShadingMode, View};
 use shadetrade::questions::metrics::pixel_error;
-use shadetrade::systems::frame::Keep;
 
 use super::proof;
-use crate::support::cases::cases;
-use crate::support::random::Random;
-use crate::support::scene::{self, empty, shine, spawn_cuboid, spawn_light, truth, turned};
+use crate::support::prelude::*;
+use crate::support::scene;
 
 const SIZE: [usize; 2] = [96, 72];
 

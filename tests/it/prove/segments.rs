@@ -1,14 +1,13 @@
 //! Gouraud on grids: the enclosures hold the value of the second arithmetic and of f64, and coverage does not depend on the
 //! number of cells.
 
-use shadetrade::components::{Segments, ShadingMode, View};
 use shadetrade::questions::prove::nearest;
 use shadetrade::reference::{Reference, Rule, Seen};
 
 use super::arithmetic::compare;
 use super::naive::Scene;
 use super::{enclosures, enclosures_without};
-use crate::support::cases::{cases, values};
+use crate::support::prelude::*;
 use crate::support::random_scene::case;
 
 const SIZE: [usize; 2] = [48, 36];

@@ -2,19 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use fearless_simd::Level;
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{LightKind, Mesh, Projected, Projection, Segments, ShadingMode, View};
 use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::counting::count;
 use crate::prove::proof;
 use crate::stability::life::Bits;
-use crate::support::cases::cases;
-use crate::support::random::Random;
-use crate::support::scene::{draw, empty, placed, shine, spawn_cuboid, turned, view, white};
+use crate::support::prelude::*;
 
 const SIZES: [[usize; 2]; 3] = [[640, 480], [97, 73], [161, 399]];
 
@@ -117,9 +110,11 @@ fn the_faces_of_a_cuboid_meet_without_gap_or_overlap() {
 #[test]
 fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
     let mut random = Random(5);
-    let [mut alone, mut two, mut four] = [1, 2, 4].map(|threads| {
-        let workers = Workers::new(threads, Level::new()).expect("the system gives threads");
-        Frame::new(Keep::Levels, workers)
+    let mut frames = [Keep::Levels, Keep::Display].map(|keep| {
+        [1, 2, 4].map(|threads| {
+            let workers = Workers::new(threads, Level::new()).expect("the system gives threads");
+            Frame::new(keep, workers)
+        })
     });
     for scene in SCENES.into_iter().chain([several as Scene]) {
         for case in 0..cases(60) {
@@ -128,18 +123,20 @@ fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
             let mode = ShadingMode::ALL[case % 3];
             let mut view = view.shaded(mode).with_tolerance([0.5, 0.0][case / 2 % 2]);
             view.segments = Segments::new([1, 2, 9, 100][case / 4 % 4]);
-            systems::draw(&mut world, &view, &mut alone).expect("a small picture fits");
-            let whole = Bits::of(&alone);
-            for frame in [&mut two, &mut four] {
+            let [alone, others @ ..] = &mut frames[case / 3 % 2];
+            systems::draw(&mut world, &view, alone).expect("a small picture fits");
+            let whole = Bits::of(alone);
+            for frame in others {
                 systems::draw(&mut world, &view, frame).expect("a small picture fits");
                 assert!(Bits::of(frame) == whole, "{view:?}");
             }
-            for from in (0..size[1]).step_by(64) {
-                let rows = from..(from + 64).min(size[1]);
-                systems::draw_rows(&mut world, &view, rows.clone(), &mut alone)
+            for _ in 0..6 {
+                let from = random.below(size[1]);
+                let rows = from..(from + 1 + random.below(64)).min(size[1]);
+                systems::draw_rows(&mut world, &view, rows.clone(), alone)
                     .expect("a small picture fits");
                 let part = whole.part(size[0] * rows.start..size[0] * rows.end);
-                assert!(Bits::of(&alone) == part, "{rows:?} of {view:?}");
+                assert!(Bits::of(alone) == part, "{rows:?} of {view:?}");
             }
         }
     }

@@ -2,13 +2,10 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use shadetrade::components::Polygon;
-
 use shadetrade::systems::coverage::is_convex;
 
 use super::counting::{assert_twin, encloses, facing, snapped, turn};
-use crate::support::cases::cases;
-use crate::support::random::Random;
+use crate::support::prelude::*;
 
 #[test]
 fn an_edge_through_a_centre_or_nearest_to_it_agrees_with_the_definition() {

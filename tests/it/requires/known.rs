@@ -1,16 +1,13 @@
 //! Scenes with required parts and errors known on paper.
 
-use glam::DVec3;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
 use shadetrade::components::Projection::{Orthographic, Perspective};
 use shadetrade::components::ShadingMode::{Gouraud, Phong};
-use shadetrade::components::{Material, NormalMode, Projection, ShadingMode, Transform, overwrite};
 use shadetrade::questions::requires::{Change, Part};
 use shadetrade::reference::Rule;
-use shadetrade::scene::Scene;
 
-use super::{WHITE, change, cubes, from_z, required, scene_of};
-use crate::support::scene::{at, empty, placed, shine, spawn_cuboid, turned, view};
+use super::{change, cubes, from_z, required};
+use crate::support::prelude::*;
 
 /// Asserts that the largest error encloses the known one, narrowly.
 #[track_caller]
@@ -120,13 +117,14 @@ fn affine_interpolation_suffices_from_the_distance_computed_on_paper() {
     let distance = TURN.to_radians().sin() * (root * root + 1.0) / (root * root - 1.0);
     assert!((20.0..80.0).contains(&distance), "{distance}");
     for (share, known) in [(1.0, 0.5), (1.01, 0.495), (0.99, 0.505)] {
-        let mut world = empty();
-        spawn_cuboid(&mut world, DVec3::new(2.0, 2.0, 1e-9), turned, WHITE);
-        shine(&mut world, Diffuse, 100.0, light);
         let mut view = from_z(share * distance, Perspective);
         view.camera.fov = 2.0 * (1.5 / distance).atan().to_degrees();
         view.size = [9, 2001];
-        let scene = shaded(Gouraud, scene_of(world, &view));
+        let mut scene = cubes(&[turned], &[(Diffuse, 100.0, light)], &view);
+        for mesh in scene.world.query_mut::<&mut Mesh>() {
+            *mesh = Mesh::cuboid(DVec3::new(2.0, 2.0, 1e-9));
+        }
+        let scene = shaded(Gouraud, scene);
         let interpolation = change(&scene, &view, Part::Rule(Rule::PerspectiveCorrect));
         for end in interpolation.largest_error {
             assert!((end - known).abs() < 1e-3, "{share}: {interpolation:?}");

@@ -1,13 +1,10 @@
 //! The least scene: the parts left out together, and the tolerance that the remaining scene keeps.
 
-use glam::DVec3;
-use shadetrade::components::{LightKind, Projection};
-use shadetrade::output::Monitor;
 use shadetrade::questions::requires::{Part, changes, least, without};
-use shadetrade::scene::{LightRecord, SceneRecord};
+use shadetrade::scene::LightRecord;
 
 use super::{cubes, from_z};
-use crate::support::scene::{at, done};
+use crate::support::prelude::*;
 
 #[test]
 fn as_many_parts_are_left_out_as_the_tolerance_allows_together() {

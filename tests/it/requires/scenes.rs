@@ -2,17 +2,14 @@
 //!
 //! `SHADETRADE_CASES` sets the number of scenes; the first n are always the same.
 
-use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{ShadingMode, View};
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::questions::requires::{Part, parts, without};
 use shadetrade::reference::{Interval, Real, Reference, Rule, Seen};
 
-use super::{change, scene_of};
-use crate::support::cases::{cases, values};
+use super::change;
+use crate::support::prelude::*;
 use crate::support::random_scene::{between, case};
-use crate::support::scene::limit;
 
 const SIZE: [usize; 2] = [32, 24];
 
@@ -51,8 +48,8 @@ fn no_proven_bound_of_random_scenes_is_contradicted_by_f64() {
     let asked = (mode.prop_flat_map(case), tolerance);
     let (mut all, mut required, mut false_alarms) = (0_u32, 0_u32, 0_u32);
     for (number, (case, tolerance)) in values(&asked, cases(5)).enumerate() {
-        let (world, view) = case.build(SIZE, tolerance);
-        let scene = scene_of(world, &view);
+        let scene = Scene::spawn("random".to_owned(), &case.record(tolerance));
+        let view = View::of(&scene.world, SIZE);
         let limit = limit(tolerance);
         let full = levels::<f64>(&scene.world, &view, None);
         let is_certain_in_full = is_certain(&scene.world, &view, None);

@@ -2,20 +2,15 @@
 
 use std::sync::Mutex;
 
-use glam::DVec3;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{
-    Mesh, NormalMode, Projection, Segments, ShadingMode, View, overwrite,
-};
-use shadetrade::output::{CANCELLED, Monitor, finished};
+use shadetrade::output::CANCELLED;
 use shadetrade::questions::metrics::pixel_error;
 use shadetrade::questions::requires::Part;
 use shadetrade::questions::requires::segments::{FewestSegments, fewest_segments};
-use shadetrade::scene::Scene;
 
 use super::{change, cubes, from_z};
 use crate::extremes::enlarged;
-use crate::support::scene::{at, built_in, changed, done, limit, placed, truth, view_from};
+use crate::support::prelude::*;
 
 fn of(scene: &Scene, view: &View) -> Vec<FewestSegments> {
     done(fewest_segments(scene, view, Monitor::NONE))
@@ -172,10 +167,6 @@ fn progress_is_a_share_and_a_search_can_be_cancelled() {
     assert!(finished(fewest_segments(&scene, &view, monitor)).is_ok());
     let shares = shares.into_inner().unwrap();
     assert!(shares.iter().all(|it| (0.0..=1.0).contains(it)) && shares.len() >= 18);
-    let monitor = Monitor {
-        is_cancelled: &|| true,
-        ..Monitor::NONE
-    };
-    let error = finished(fewest_segments(&scene, &view, monitor)).expect_err("it is cancelled");
+    let error = finished(fewest_segments(&scene, &view, CANCEL)).expect_err("it is cancelled");
     assert_eq!(error.to_string(), CANCELLED);
 }

@@ -1,15 +1,12 @@
 //! The sixteen cases of docs/sixteen-cases.md: its scene, its values and its answers.
 
-use shadetrade::components::View;
-use shadetrade::output::Monitor;
 use shadetrade::questions::requires::{Part, changes};
 use shadetrade::reference::Rule::{
     DepthTest, NearPlane, PerspectiveCorrect, SpecularGate, UnitNormal,
 };
-use shadetrade::scene::Scene;
 
 use crate::extremes::is_full;
-use crate::support::scene::{done, view_from};
+use crate::support::prelude::*;
 
 const PAGE: &str = include_str!("../../../docs/sixteen-cases.md");
 

@@ -3,11 +3,10 @@
 use proptest::prelude::*;
 use shadetrade::questions::vary::variable::Variable;
 use shadetrade::scene::key::{Key, assignment, differences, set};
-use shadetrade::scene::{Scene, SceneRecord};
 
 use super::{LEAST, random};
 use crate::support::cases::config;
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::window::default_scene;
 
 fn default_record() -> SceneRecord {

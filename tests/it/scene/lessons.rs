@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use shadetrade::components::{ShadingMode, ViewMode};
-use shadetrade::scene::{Control, LESSONS, Scene, SceneRecord};
+use shadetrade::scene::{Control, LESSONS};
+
+use crate::support::prelude::*;
 
 fn read(text: &str) -> anyhow::Result<Scene> {
     Scene::parse_lesson("a.toml", text, Path::new(""))

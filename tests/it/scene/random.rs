@@ -1,15 +1,10 @@
 //! Random records, with every optional key. Numbers are as often near the ends of their ranges as near 0.
 
-use glam::DVec3;
 use proptest::prelude::*;
 use shadetrade::components::numbers::range_of;
-use shadetrade::components::{
-    LightKind, Material, NormalMode, Orbit, Projection, ShadingMode, Side, ViewMode, Viewer,
-};
-use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord};
 
-use crate::support::random::Random;
-use crate::support::records;
+use crate::support::prelude::*;
 
 /// A number at a key, as often near 0 as far from it, and sometimes an end of its range.
 fn number(random: &mut Random, key: &str) -> f64 {

@@ -2,17 +2,12 @@
 
 use std::io::Write as _;
 
-use glam::DVec3;
 use proptest::prelude::*;
-use shadetrade::components::{
-    Camera, Light, LightKind, Material, ShadingMode, View, Viewer, names, ordered,
-};
-use shadetrade::scene::{BUILT_IN, CuboidRecord, LightRecord, Scene, SceneRecord};
+use shadetrade::scene::{BUILT_IN, CuboidRecord, LightRecord};
 
 use super::LEAST;
 use crate::support::cases::config;
-use crate::support::records;
-use crate::support::scene::{built_in, changed};
+use crate::support::prelude::*;
 
 fn scene(text: &str) -> Scene {
     Scene::parse("test", text).unwrap_or_else(|error| panic!("{error}"))
@@ -162,16 +157,11 @@ fn lights_are_switched_by_name_all_or_none() {
     }
 }
 
-/// Whole numbers as written, and their values: from 63 bits on, in every notation.
-const LARGE: [(&str, f64); 9] = [
-    ("9223372036854775807", 9_223_372_036_854_775_807.0),
-    ("9223372036854775808", 9_223_372_036_854_775_808.0),
+/// Whole numbers as written, and their values.
+const LARGE: [(&str, f64); 4] = [
     ("-9223372036854775809", -9_223_372_036_854_775_809.0),
-    ("10000000000000000000", 1e19),
-    ("0xc000000000001000", 13_835_058_055_282_167_808.0),
     ("18_446_744_073_709_551_616", 18_446_744_073_709_551_616.0),
     ("+100000000000000000000", 1e20),
-    ("10000000000000000000000000000000000000000", 1e40),
     // Exactly between two floats without its last bit, which lies beyond 128 bits.
     (
         "0x100000000000008000000000000000000000000000000001",

@@ -1,12 +1,10 @@
 //! Records and worlds have the same content.
 
 use proptest::prelude::*;
-use shadetrade::components::{Light, ShadingMode, Side, ordered, overwrite, viewer_mut};
-use shadetrade::scene::SceneRecord;
 
 use super::random;
 use crate::support::cases::config;
-use crate::support::scene::built_in;
+use crate::support::prelude::*;
 
 proptest! {
     #![proptest_config(config(64))]

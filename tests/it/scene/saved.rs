@@ -1,14 +1,11 @@
 //! Saving a record into the text of its file: it is read again unchanged, and the rest of the text stays.
 
 use proptest::prelude::*;
-use shadetrade::components::{LightKind, Projection, ShadingMode, ViewMode};
-use shadetrade::scene::{BUILT_IN, Scene, SceneRecord, updated};
+use shadetrade::scene::{BUILT_IN, updated};
 
 use super::{LEAST, MOST, random};
 use crate::support::cases::config;
-use crate::support::random::Random;
-use crate::support::records;
-use crate::support::scene::text_without_view;
+use crate::support::prelude::*;
 
 fn read(text: &str) -> SceneRecord {
     let scene = Scene::parse("text", text).unwrap_or_else(|error| panic!("{error}\n{text}"));

@@ -1,15 +1,10 @@
 //! A picture has the same bits with any number of threads, at any SIMD level and in any parts.
 
-use fearless_simd::Level;
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{Projection, Segments, ShadingMode, View};
 use shadetrade::shading::simd;
 use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::life::{Bits, still_life, views};
-use crate::support::scene::{draw, placed, spawn_cuboid, view, white};
+use crate::support::prelude::*;
 
 const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 
@@ -100,25 +95,6 @@ fn silhouettes_do_not_depend_on_segments() {
             let more = drawn(cells);
             assert!(more.triangles == one.triangles, "{cells}");
             assert!(more.levels != one.levels, "{cells}");
-        }
-    }
-}
-
-#[test]
-fn some_rows_of_a_picture_have_the_bits_of_the_whole() {
-    for cuboids in [1, 3] {
-        let mut world = still_life(cuboids);
-        for keep in KEEPS {
-            let mut part = frame(keep, 1, Level::new());
-            for view in views([96, 131]) {
-                let whole = Bits::of(&draw(&mut world, &view, keep));
-                for rows in [0..1, 3..17, 15..16, 16..48, 48..80, 31..97, 130..131] {
-                    systems::draw_rows(&mut world, &view, rows.clone(), &mut part)
-                        .expect("a small picture fits");
-                    let expected = whole.part(96 * rows.start..96 * rows.end);
-                    assert!(Bits::of(&part) == expected, "{rows:?}, {view:?}");
-                }
-            }
         }
     }
 }

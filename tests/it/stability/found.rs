@@ -1,14 +1,8 @@
 //! Faults found by fuzzing.
 
-use glam::DVec3;
-use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{Material, Polygon, Projected, Projection, ShadingMode, View};
-use shadetrade::systems::frame::Keep;
 
-use crate::support::scene::{
-    at, draw, empty, placed, shine, spawn_cuboid, spawn_light, truth, view, white,
-};
+use crate::support::prelude::*;
 
 /// Asserts that every level of a picture that shows a cuboid is defined.
 fn assert_defined(world: &mut World, view: &View, modes: &[ShadingMode]) {
@@ -26,10 +20,7 @@ fn assert_defined(world: &mut World, view: &View, modes: &[ShadingMode]) {
 fn on_a_corner_without_weight_of_others_every_level_is_defined() {
     for bright in [1e30, 1e60, 1e90] {
         let mut world = empty();
-        let material = Material {
-            specular: DVec3::ZERO,
-            ..white(0.0)
-        };
+        let material = grey([1.0, 1.0, 0.0], 0.0);
         spawn_cuboid(&mut world, DVec3::ONE, at(DVec3::ONE), material);
         shine(&mut world, Ambient, 100.0, DVec3::ZERO);
         for axis in DVec3::AXES {
@@ -89,12 +80,8 @@ fn the_largest_floors_stay_in_the_guard_band() {
 #[test]
 fn the_shortcut_is_defined_outside_its_triangles() {
     let mut world = empty();
-    let material = Material {
-        ambient: DVec3::ZERO,
-        diffuse: DVec3::new(0.5, 0.0, 5.0),
-        specular: DVec3::splat(5.0),
-        shininess: 1e6,
-    };
+    let mut material = grey([0.0, 0.0, 5.0], 1e6);
+    material.diffuse = DVec3::new(0.5, 0.0, 5.0);
     let place = placed([1.025e-89, 5e-91, -1e10], [3.161e36, 0.0, 0.0]);
     let size = DVec3::splat(4.831_298_828_125e-90);
     spawn_cuboid(&mut world, size, place, material);

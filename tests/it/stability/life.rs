@@ -2,13 +2,9 @@
 
 use std::ops::Range;
 
-use glam::DVec3;
-use hecs::World;
 use shadetrade::components::LightKind::{Ambient, Diffuse, Specular};
-use shadetrade::components::{Material, Projection, Segments, ShadingMode, TriangleId, View};
-use shadetrade::systems::frame::Frame;
 
-use crate::support::scene::{empty, placed, spawn_cuboid, spawn_light, view};
+use crate::support::prelude::*;
 
 /// The first `count` of the three cuboids, and the lights.
 pub fn still_life(count: usize) -> World {

@@ -2,15 +2,12 @@
 //! little more than its bytes.
 
 use allocation_counter::measure;
-use fearless_simd::Level;
-use hecs::World;
-use shadetrade::components::{Segments, ShadingMode, View};
 use shadetrade::output::Output;
 use shadetrade::output::memory::Content;
 use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::life::{still_life, views};
+use crate::support::prelude::*;
 
 #[test]
 fn a_warm_frame_on_one_thread_allocates_nothing() {

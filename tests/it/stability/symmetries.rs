@@ -3,18 +3,11 @@
 //!
 //! `SHADETRADE_CASES` sets the number of scenes in each mode (default 40).
 
-use fearless_simd::Level;
-use glam::DVec3;
-use hecs::World;
-use shadetrade::components::{FileOrder, Mesh, ShadingMode, Transform, TriangleId, View};
 use shadetrade::systems;
-use shadetrade::systems::frame::{Frame, Keep, Workers};
 
 use super::life::Bits;
-use crate::support::cases::{cases, values};
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::random_scene::case;
-use crate::support::scene::{draw, truth};
 
 /// Random scenes in every mode, exact and within half a level.
 fn scenes() -> impl Iterator<Item = (World, View)> {

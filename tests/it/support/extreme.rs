@@ -1,11 +1,8 @@
 //! Numbers of a scene at any magnitude that the scene format allows.
 
-use glam::DVec3;
 use serde_json::Value;
-use shadetrade::scene::SceneRecord;
 
-use super::random::Random;
-use super::scene::turned;
+use super::prelude::*;
 
 /// The scene with one of its numbers replaced by one of any magnitude. The format refuses illegal numbers.
 pub fn exaggerated(record: &SceneRecord, random: &mut Random) -> SceneRecord {

@@ -1,16 +1,9 @@
 //! Random scenes of a few cuboids, with lights anywhere, just above faces and at highlights, and a view of them.
 
-use glam::DVec3;
-use hecs::World;
 use proptest::prelude::*;
-use shadetrade::components::{
-    LightKind, Material, NormalMode, Projection, Segments, ShadingMode, View, Viewer,
-};
-use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, SceneRecord};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord};
 
-use super::random::Random;
-use super::records;
-use super::scene::turned;
+use super::prelude::*;
 
 /// A scene, given by its seed.
 #[derive(Clone, Debug)]

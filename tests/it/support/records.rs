@@ -2,9 +2,9 @@
 
 use std::sync::LazyLock;
 
-use glam::DVec3;
-use shadetrade::components::{LightKind, ShadingMode};
-use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord, Scene, SceneRecord};
+use shadetrade::scene::{CameraRecord, CuboidRecord, LightRecord};
+
+use super::prelude::*;
 
 static BUILT_IN: LazyLock<SceneRecord> =
     LazyLock::new(|| SceneRecord::of(&Scene::load(None).expect("it is built in").world));

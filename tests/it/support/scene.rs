@@ -38,6 +38,12 @@ pub fn done<T>(work: impl Future<Output = anyhow::Result<T>>) -> T {
     finished(work).expect("it fits, and nobody cancels it")
 }
 
+/// Cancels work at once.
+pub const CANCEL: Monitor = Monitor {
+    is_cancelled: &|| true,
+    ..Monitor::NONE
+};
+
 /// An empty world.
 pub fn empty() -> World {
     World::new()
@@ -85,14 +91,19 @@ pub fn shine(world: &mut World, kind: LightKind, levels: f64, position: DVec3) {
     spawn_light(world, kind, DVec3::splat(levels), position);
 }
 
-/// A material that reflects all light.
-pub const fn white(shininess: f64) -> Material {
+/// A material with these kA, kD and kE in every channel.
+pub const fn grey([ambient, diffuse, specular]: [f64; 3], shininess: f64) -> Material {
     Material {
-        ambient: DVec3::ONE,
-        diffuse: DVec3::ONE,
-        specular: DVec3::ONE,
+        ambient: DVec3::splat(ambient),
+        diffuse: DVec3::splat(diffuse),
+        specular: DVec3::splat(specular),
         shininess,
     }
+}
+
+/// A material that reflects all light.
+pub const fn white(shininess: f64) -> Material {
+    grey([1.0; 3], shininess)
 }
 
 /// A position without rotation.

@@ -1,18 +1,10 @@
 //! All stages together.
 
-use glam::DVec3;
-use hecs::{Component, Entity, World};
-use shadetrade::components::{
-    FileOrder, Illumination, LightKind, Material, Mesh, NormalMode, Normals, Orbit, Projected,
-    Projection, Segments, ShadingMode, Transform, VertexColors, View, WorldTransform, overwrite,
-    viewer_mut,
-};
-use shadetrade::scene::Scene;
-use shadetrade::systems::frame::Keep;
+use hecs::{Component, Entity};
 use shadetrade::systems::lighting;
 
 use super::{MATERIAL, ahead, at, empty_frame, light};
-use crate::support::scene::{built_in, draw, spawn_cuboid, truth};
+use crate::support::prelude::*;
 
 #[test]
 fn renderer_and_reference_draw_a_spun_and_orbited_scene_like_its_snapshot() {

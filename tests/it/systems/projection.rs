@@ -1,14 +1,11 @@
 //! Projection: screen polygons from mesh and placement.
 
-use glam::{DVec3, dvec3};
-use hecs::{Entity, World};
-use shadetrade::components::{Lens, Mesh, Projected, Projection, View};
-use shadetrade::systems::frame::Keep;
+use glam::dvec3;
+use hecs::Entity;
 use shadetrade::systems::projection;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, empty_frame, place, read, turned};
-use crate::support::random::Random;
-use crate::support::scene::{draw, placed, spawn_cuboid};
+use crate::support::prelude::*;
 
 /// Face +z: corners 4, 5, 7 and 6.
 const FRONT: usize = 4;

@@ -1,19 +1,16 @@
 //! Rasterization: shaded pixels from screen polygons.
 
-use glam::{DVec3, dvec3};
-use hecs::{Entity, World};
-use shadetrade::components::{
-    FileOrder, LightKind, Material, Mesh, Projected, Projection, ShadingMode, TriangleId, View,
-    ordered,
-};
+use glam::dvec3;
+use hecs::Entity;
 use shadetrade::shading::SquareKind;
-use shadetrade::systems::frame::{Frame, Keep, SQUARE_EDGE};
+use shadetrade::systems::frame::SQUARE_EDGE;
 use shadetrade::systems::rasterization;
 
 use super::{MATERIAL, PROJECTIONS, ahead, at, light, turned};
 use crate::rasterization::counting::{snapped, spans};
 use crate::stability::life::{still_life, views};
-use crate::support::scene::{self, shine, spawn_cuboid, truth};
+use crate::support::prelude::*;
+use crate::support::scene;
 
 /// A cube of two units with this many levels of red under an ambient light of one level.
 fn flat_cube(world: &mut World, position: DVec3, levels: f64) -> Entity {

@@ -1,12 +1,10 @@
 //! Spin: the placement of cuboids after they have turned.
 
 use glam::{DMat3, DQuat};
-use hecs::World;
-use shadetrade::components::{Projection, Transform, View, WorldTransform};
 use shadetrade::systems::spin;
 
 use super::{ahead, empty_frame, place, read};
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::scene;
 
 /// The placement of a cuboid that has turned by this many degrees. Its transform stays.

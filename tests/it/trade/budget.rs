@@ -1,15 +1,12 @@
 //! The choice of a method for a time, on costs that nobody measured.
 
-use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::output::Monitor;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::trade::Request;
 use shadetrade::questions::trade::budget::{after, best_trades, choose, fitting, held};
-use shadetrade::shading::Method;
 
 use super::example::live;
-use crate::support::scene::built_in;
+use crate::support::prelude::*;
 
 /// Milliseconds of a front, the fastest first.
 const COSTS: [f64; 6] = [0.2, 0.31, 0.36, 0.41, 0.5, 1.0];
