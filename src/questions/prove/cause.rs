@@ -1,13 +1,13 @@
-//! The cause of a wrong picture, where one is proven: with one change of the model, or of the order of its rows, columns or
+//! The cause of a wrong picture, where one is proven: with one change of the scene, or of the order of its rows, columns or
 //! colours, every pixel of the picture is.
 
 use hecs::World;
 
 use super::{Shown, Verdict, judge};
-use crate::components::{NormalMode, ShadingMode, View};
+use crate::components::{NormalMode, View};
 use crate::output::progress::bands;
 use crate::output::{Monitor, one_line};
-use crate::reference::{Interval, Reference, Rule};
+use crate::reference::{Interval, Reference};
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::{METHODS, limit};
 
@@ -42,36 +42,25 @@ pub async fn causes(
 ) -> anyhow::Result<Vec<String>> {
     let (world, record) = (&scene.world, SceneRecord::of(&scene.world));
     let mut causes = Vec::new();
-    // Each of them alone, and several together.
-    for chosen in 1..1 << EXCHANGES.len() {
-        let (mut names, mut exchanged) = (Vec::new(), picture.to_vec());
-        for (bit, (name, exchange)) in EXCHANGES.iter().enumerate() {
-            if chosen >> bit & 1 == 1 {
-                names.push(*name);
-                exchange(&mut exchanged, view.size[0]);
-            }
-        }
-        if is_proven(world, view, None, &exchanged, monitor).await? {
-            let names = names.join(" and ");
-            causes.push(format!("it is right once {names} are exchanged"));
+    for (name, exchange) in EXCHANGES {
+        let mut exchanged = picture.to_vec();
+        exchange(&mut exchanged, view.size[0]);
+        if is_proven(world, view, &exchanged, monitor).await? {
+            causes.push(format!("it is right once {name} are exchanged"));
         }
     }
-    let (mut modes, mut rules) = (METHODS.to_vec(), Rule::ALL.to_vec());
+    let mut modes = METHODS.to_vec();
     modes.dedup_by_key(|method| method.mode);
     for method in modes {
-        if is_proven(world, &view.shaded(method.mode), None, picture, monitor).await? {
+        if is_proven(world, &view.shaded(method.mode), picture, monitor).await? {
             let name = method.id.trim_end_matches("-0");
             causes.push(format!("it is the picture of {name}"));
-            if method.mode == ShadingMode::BlinnPhong {
-                // Phong without this rule is the same picture.
-                rules.retain(|rule| *rule != Rule::Reflection);
-            }
         }
     }
     for normals in NormalMode::ALL {
         let mut other = record.clone();
         other.cuboid.iter_mut().for_each(|it| it.normals = normals);
-        if is_proven(&other.spawn(), view, None, picture, monitor).await? {
+        if is_proven(&other.spawn(), view, picture, monitor).await? {
             causes.push(format!("it is the picture with {} normals", normals.name()));
         }
     }
@@ -79,30 +68,22 @@ pub async fn causes(
     for (index, light) in lights.filter(|(_, light)| light.on) {
         let mut other = record.clone();
         other.light[index].on = false;
-        if is_proven(&other.spawn(), view, None, picture, monitor).await? {
+        if is_proven(&other.spawn(), view, picture, monitor).await? {
             let name = one_line(&light.name);
             causes.push(format!("it is the picture without light {name}"));
-        }
-    }
-    for rule in rules {
-        if is_proven(world, view, Some(rule), picture, monitor).await? {
-            let name = rule.name();
-            causes.push(format!("it is the picture without {name}"));
         }
     }
     Ok(causes)
 }
 
-/// Whether every pixel of `picture` is proven to be that of `view`, without a rule of the model if one is given. The first band
-/// of rows with another pixel ends the search.
+/// Whether every pixel of `picture` is proven to be that of `view`. The first band of rows with another pixel ends the search.
 async fn is_proven(
     world: &World,
     view: &View,
-    without: Option<Rule>,
     picture: &[u32],
     monitor: Monitor<'_>,
 ) -> anyhow::Result<bool> {
-    let enclosures = Reference::<Interval>::without(world, view, without);
+    let enclosures = Reference::<Interval>::new(world, view);
     let ([width, height], limit) = (view.size, limit(view.tolerance));
     let row = |y: usize| {
         let mut is_proven = true;

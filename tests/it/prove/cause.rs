@@ -5,8 +5,6 @@ use shadetrade::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, Unit
 use shadetrade::components::{NormalMode, View};
 use shadetrade::output::Monitor;
 use shadetrade::questions::prove::causes;
-use shadetrade::questions::requires::{Part, picture_without};
-use shadetrade::reference::Rule;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::{Keep, display_pixel};
 
@@ -64,29 +62,16 @@ fn a_change_that_makes_every_pixel_right_is_the_cause() {
         u32::from_be_bytes([0, blue, green, red])
     };
     let blue_first = right.iter().map(swap).collect();
-    let both = from_below.iter().map(swap).collect();
     let default = scene(|_| ());
     let by_reference = |mode| {
         let truth = truth(&default.world, &view(&default).shaded(mode));
         truth.levels.into_iter().map(display_pixel).collect()
     };
-    let without = |rule| {
-        let scene = scene(|_| ());
-        let view = view(&scene);
-        done(picture_without(
-            &scene,
-            &view,
-            Part::Rule(rule),
-            Monitor::NONE,
-        ))
-    };
     let shaded = |mode| drawn(|it| it.cuboid[0].shading = mode);
-    let perspective = without(Rule::PerspectiveCorrect);
     for (picture, words) in [
         (from_below, "once its rows are"),
         (mirrored, "once its columns are"),
         (blue_first, "once red and blue are"),
-        (both, "once its rows and red and blue are"),
         (shaded(Flat), "picture of flat"),
         (shaded(Gouraud), "picture of gouraud"),
         (by_reference(UnitVectors), "picture of phong-unit-vectors"),
@@ -96,9 +81,6 @@ fn a_change_that_makes_every_pixel_right_is_the_cause() {
             "with face normals",
         ),
         (drawn(|it| it.light[2].on = false), "without light specular"),
-        (without(Rule::DiffuseClamp), "without diffuse clamp"),
-        (without(Rule::UnitNormal), "without unit normal"),
-        (perspective, "without perspective-correct interpolation"),
     ] {
         let found = found(&picture);
         let is_right = found.len() == 1 && found[0].contains(words);
