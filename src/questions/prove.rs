@@ -71,9 +71,7 @@ pub struct Proof {
     /// Pixels that show a cuboid.
     pub covered: u64,
     /// Pixels that may show nothing but a cuboid, and those of them that are proven.
-    #[serde(skip)]
     pub own: u64,
-    #[serde(skip)]
     pub own_proven: u64,
     /// Pixels that the enclosure of their square proves.
     pub in_squares: u64,
@@ -97,6 +95,11 @@ pub struct Proof {
 }
 
 impl Proof {
+    /// Whether every pixel is proven.
+    pub fn is_all(&self) -> bool {
+        self.proven == self.pixels as u64
+    }
+
     /// Counts the marks.
     fn count(&mut self) {
         let count = |is: fn(&&Mark) -> bool| self.marks.iter().filter(is).count() as u64;

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::ensure;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::{Example, Mark, Proof, Verdict, causes, prove};
 use crate::components::{Mesh, names};
 use crate::output::progress::with_bar;
-use crate::output::words::{CHANNELS, aligned, counted, interval, short, wrapped};
+use crate::output::words::{aligned, counted, interval, short, wrapped};
 use crate::output::{Output, PngPicture, one_line, print, read_png};
-use crate::questions::job::Drawing;
+use crate::questions::job::{Drawing, Heading};
 use crate::systems;
 use crate::systems::frame::{Frame, Keep};
 
@@ -28,11 +28,28 @@ const REFUTED: u32 = 0x00ff_2020;
 /// The faces of a cuboid by the direction of their normals, before rotation.
 const FACES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 
-/// A proof, with the causes of a wrong picture and the seconds that it took.
+/// A proof with its picture: the record of `prove --json`.
+#[derive(Serialize)]
 struct Judged {
+    #[serde(flatten)]
+    heading: Heading,
+    mode: &'static str,
+    tolerance: f64,
+    #[serde(flatten)]
     proof: Proof,
+    /// The causes of a wrong picture of another program.
     causes: Vec<String>,
     seconds: f64,
+}
+
+/// One of several pictures. It cannot be read if there is an error.
+#[derive(Serialize)]
+struct OneOfSeveral {
+    picture: String,
+    #[serde(flatten)]
+    judged: Option<Judged>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
 }
 
 /// Proves the picture of `drawing`, or `picture` instead, prints the proof, and writes a picture of the verdicts to `map`.
@@ -58,12 +75,7 @@ pub fn run(
         let colors: Vec<u32> = marked.map(|(pixel, mark)| color(*pixel, *mark)).collect();
         output.write_png(&colors, view.size)?;
     }
-    let lines = || lines(drawing, &judged, picture.is_some()).join("\n");
-    let mut record = record(drawing, &judged);
-    if picture.is_some() {
-        extend(&mut record, of_picture(&judged));
-    }
-    print(&record, as_json, map, lines)?;
+    print(&judged, as_json, map, || lines(drawing, &judged).join("\n"))?;
     drawing.say_if_unseen(proof.covered);
     let unproven = proof.pixels as u64 - proof.proven;
     ensure!(
@@ -79,40 +91,26 @@ pub fn run(
 /// # Errors
 /// If one is not proven, or the table cannot be written.
 pub fn run_all(drawing: &mut Drawing, pictures: &[PathBuf], as_json: bool) -> anyhow::Result<()> {
-    let (mut records, mut rows, mut unproven) = (Vec::new(), Vec::new(), 0);
+    let mut all = Vec::new();
     for path in pictures {
-        let name = one_line(path);
         let judged = read_png(path).and_then(|picture| judge(drawing, Some(&picture)));
-        let is_proven = |it: &Judged| it.proof.proven == it.proof.pixels as u64;
-        unproven += usize::from(!judged.as_ref().is_ok_and(is_proven));
-        let mut record = json!({ "picture": name });
-        match &judged {
-            Ok(judged) => {
-                extend(&mut record, self::record(drawing, judged));
-                extend(&mut record, of_picture(judged));
-            }
-            Err(error) => extend(&mut record, json!({ "error": format!("{error:#}") })),
-        }
-        records.push(record);
-        rows.push(match judged {
-            Ok(judged) => row(name, &judged),
-            Err(error) => [
-                name,
-                "-".into(),
-                "-".into(),
-                "-".into(),
-                format!("{error:#}"),
-            ],
+        all.push(OneOfSeveral {
+            picture: one_line(path),
+            error: judged.as_ref().err().map(|error| format!("{error:#}")),
+            judged: judged.ok(),
         });
     }
     let head = ["picture", "right", "worst", "proven", "cause"];
-    print(&records, as_json, None, || {
-        [aligned(&head, rows), wrapped(LEGEND)].join("\n\n")
+    print(&all, as_json, None, || {
+        [aligned(&head, all.iter().map(row)), wrapped(LEGEND)].join("\n\n")
     })?;
+    let judged = all.iter().filter_map(|it| it.judged.as_ref());
+    let proven = judged.filter(|it| it.proof.is_all()).count();
     ensure!(
-        unproven == 0,
-        "not proven: {unproven} of {}",
-        counted(pictures.len(), "picture")
+        proven == all.len(),
+        "not proven: {} of {}",
+        all.len() - proven,
+        counted(all.len(), "picture")
     );
     Ok(())
 }
@@ -127,60 +125,36 @@ fn judge(drawing: &mut Drawing, picture: Option<&PngPicture>) -> anyhow::Result<
     let proof =
         with_bar(async |monitor| prove(&mut scene.world, &view, pixels, level, monitor).await)?;
     let causes = match pixels {
-        Some(pixels) if proof.proven < proof.pixels as u64 => {
+        Some(pixels) if !proof.is_all() => {
             with_bar(async |monitor| causes(scene, &view, pixels, monitor).await)?
         }
         _ => Vec::new(),
     };
     Ok(Judged {
+        heading: drawing.heading(),
+        mode: drawing.mode(),
+        tolerance: view.tolerance,
         proof,
         causes,
         seconds: begin.elapsed().as_secs_f64(),
     })
 }
 
-/// A proof as JSON.
-fn record(drawing: &Drawing, judged: &Judged) -> Value {
-    let mut record = json!(drawing.heading());
-    let picture = json!({
-        "mode": drawing.mode(),
-        "tolerance": drawing.view().tolerance,
-        "seconds": judged.seconds,
-    });
-    extend(&mut record, picture);
-    extend(&mut record, json!(judged.proof));
-    record
-}
-
-/// The facts about a judged picture besides its proof.
-fn of_picture(judged: &Judged) -> Value {
-    let proof = &judged.proof;
-    json!({ "own": proof.own, "own_proven": proof.own_proven, "causes": judged.causes })
-}
-
-/// Adds the fields of one object to another.
-fn extend(record: &mut Value, fields: Value) {
-    if let (Some(record), Value::Object(fields)) = (record.as_object_mut(), fields) {
-        record.extend(fields);
-    }
-}
-
 /// The cells of a picture in the table of several.
-fn row(name: String, judged: &Judged) -> [String; 5] {
-    let proof = &judged.proof;
+fn row(one: &OneOfSeveral) -> [String; 5] {
+    let name = one.picture.clone();
+    let Some(Judged { proof, causes, .. }) = &one.judged else {
+        let error = one.error.clone().unwrap_or_default();
+        return [name, "-".into(), "-".into(), "-".into(), error];
+    };
     let worst = proof.examples.first().map_or(proof.worst, |it| it.error[0]);
-    let cause = if judged.causes.is_empty() {
+    let cause = if causes.is_empty() {
         "-".to_owned()
     } else {
-        judged.causes.join("; ")
+        causes.join("; ")
     };
-    [
-        name,
-        right(proof),
-        short(worst),
-        format!("{} of {}", proof.proven, proof.pixels),
-        cause,
-    ]
+    let proven = format!("{} of {}", proof.proven, proof.pixels);
+    [name, right(proof), short(worst), proven, cause]
 }
 
 /// The share of the cuboids' own pixels that is proven.
@@ -204,14 +178,8 @@ fn color(pixel: u32, mark: Mark) -> u32 {
     }
 }
 
-fn lines(drawing: &Drawing, judged: &Judged, is_judged: bool) -> Vec<String> {
-    let (proof, seconds) = (&judged.proof, judged.seconds);
-    let rounding = if is_judged {
-        ", half a level of it for the rounding to bytes"
-    } else {
-        ""
-    };
-    let pixels = counted(proof.pixels, "pixel");
+fn lines(drawing: &Drawing, judged: &Judged) -> Vec<String> {
+    let proof = &judged.proof;
     let mut lines = vec![drawing.subject()];
     if let Some(worst) = proof.examples.first() {
         lines.push(format!("worst      {}", in_words(drawing, worst)));
@@ -225,8 +193,9 @@ fn lines(drawing: &Drawing, judged: &Judged, is_judged: bool) -> Vec<String> {
     lines.extend(judged.causes.iter().map(|it| format!("cause      {it}")));
     lines.extend([
         format!(
-            "proven     {} of {pixels}, {} of them in squares",
-            proof.proven, proof.in_squares
+            "proven     {} of {}",
+            proof.proven,
+            counted(proof.pixels, "pixel")
         ),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),
@@ -241,7 +210,7 @@ fn lines(drawing: &Drawing, judged: &Judged, is_judged: bool) -> Vec<String> {
     ]);
     if proof.proven > 0 {
         lines.push(format!(
-            "largest proven    {:.6} levels off, where {} is allowed{rounding}",
+            "largest proven    {:.6} levels off, where {} is allowed",
             proof.worst, proof.limit
         ));
     }
@@ -253,29 +222,7 @@ fn lines(drawing: &Drawing, judged: &Judged, is_judged: bool) -> Vec<String> {
             proof.widest_enclosure, proof.reference_error
         ));
     }
-    lines.push(format!("time              {seconds:.2} s"));
-    lines.extend(examples(drawing, proof, is_judged));
-    lines
-}
-
-/// The pixels that are not proven, each with its drawn and its exact levels.
-fn examples(drawing: &Drawing, proof: &Proof, is_judged: bool) -> Vec<String> {
-    if proof.examples.is_empty() {
-        return Vec::new();
-    }
-    let mut lines = vec!["The pixels that are not proven and err most:".to_owned()];
-    // Bytes are whole, and are compared with halves.
-    let [of_drawn, of_exact] = if is_judged { [0, 3] } else { [6, 6] };
-    for example in &proof.examples {
-        lines.push(in_words(drawing, example));
-        let channels = CHANNELS.iter().zip(example.drawn);
-        for ((channel, drawn), exact) in channels.zip(example.enclosure) {
-            let exact = interval(exact, |level| format!("{level:.of_exact$}"));
-            lines.push(format!(
-                "  {channel:<5}  drawn {drawn:.of_drawn$}, exact {exact}"
-            ));
-        }
-    }
+    lines.push(format!("time              {:.2} s", judged.seconds));
     lines
 }
 
