@@ -52,8 +52,6 @@ pub struct Panel {
     #[serde(flatten)]
     pub variable: Variable,
     pub curves: Vec<Curve>,
-    /// Whether no picture differs from the first: the key moves nothing.
-    pub is_still: bool,
 }
 
 impl Panel {
@@ -170,7 +168,6 @@ impl Request {
         Ok(Panel {
             variable: variable.clone(),
             curves,
-            is_still: found.iter().all(|it| it.hash == found[0].hash),
         })
     }
 }
@@ -206,12 +203,6 @@ pub fn run(request: &Request, out: Option<&Path>, as_json: bool) -> anyhow::Resu
     }
     let report = with_bar(async |monitor| measure(request, monitor).await)?;
     print(&report, as_json, None, || export::text(&report))?;
-    for panel in report.keys.iter().filter(|panel| panel.is_still) {
-        say(&format!(
-            "{} does not change the picture",
-            panel.variable.key
-        ));
-    }
     if let Some(folder) = out {
         let texts = [output::json(&report)?, plot::svg(&report)?];
         output::write_into(folder, FILES.into_iter().zip(texts))?;

@@ -355,7 +355,7 @@ fn a_range_of_any_number_of_decades_has_even_steps() {
 }
 
 #[test]
-fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
+fn own_errors_are_against_the_definition() {
     let report = varied(&built_in_record(), "light.white.intensity=5..20", 3);
     let [gouraud, phong, textbook, reference] = &report.keys[0].curves[..] else {
         panic!("{report:?}");
@@ -368,10 +368,6 @@ fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
         assert!(points.all(|it| it.found.own_error == it.found.error));
     }
     assert!(reference.points.iter().all(|it| it.found.error[1] < 1e-9));
-    assert!(!report.keys[0].is_still);
-    let mut record = built_in_record();
-    record.light[0].on = false;
-    assert!(varied(&record, "light.white.intensity=5..20", 3).keys[0].is_still);
 }
 
 #[test]
@@ -549,8 +545,8 @@ fn the_command_writes_what_it_prints() {
     let curves = panel["curves"].as_array().expect("a list");
     for (table, expected) in [
         (&json, "scene camera projection size tolerance keys"),
-        (panel, "key from to logarithmic curves is_still"),
-        (&curves[0], "method points keeps heights empty is_undecided"),
+        (panel, "key from to logarithmic curves"),
+        (&curves[0], "method points keeps heights empty"),
         (
             &curves[0]["points"][0],
             "value error own_error pixels milliseconds",

@@ -6,7 +6,6 @@ use super::export::number;
 use super::picture::{Contender, Error};
 use super::variable::Variable;
 use crate::output::words::{interval, joined, short};
-use crate::questions::prove::Verdict;
 
 /// Ends are searched to this share of the range.
 pub const RESOLUTION: f64 = 0.01;
@@ -53,8 +52,6 @@ pub struct Curve {
     pub heights: Option<Vec<[f64; 2]>>,
     /// The ranges in which no compared pixel shows a cuboid, with such ends.
     pub empty: Vec<[f64; 2]>,
-    /// Whether there are points with cuboids outside of `keeps`, and none is refuted.
-    pub is_undecided: bool,
 }
 
 impl Curve {
@@ -71,9 +68,6 @@ impl Curve {
         find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
         height: Option<impl Fn(f64) -> Option<f64>>,
     ) -> anyhow::Result<Self> {
-        let drawn = points.iter().filter(|it| it.found.pixels > 0);
-        let verdicts = drawn.map(|it| Verdict::of(it.found.error, limit));
-        let worst = verdicts.max().unwrap_or(Verdict::Proven);
         let dense = match &height {
             Some(height) => &dense(variable, &points, find, height)?,
             None => &points,
@@ -86,7 +80,6 @@ impl Curve {
         });
         Ok(Curve {
             method: contender.id,
-            is_undecided: worst == Verdict::Undecided,
             heights,
             keeps,
             empty,

@@ -5,8 +5,7 @@ use crate::output::words::{aligned, capital, joined, rounded, short, wrapped};
 use crate::questions::trade::verdict::method_name;
 use crate::shading::{METHODS, limit};
 
-const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the tolerance, which is 0.05 if it is 0; a \
-    ? where f64 does not suffice to refute the rest. Errors are upper bounds, in levels of 255. own: against the method's own definition. \
+const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the tolerance, which is 0.05 if it is 0. Errors are upper bounds, in levels of 255. own: against the method's own definition. \
     textbook-f32: the formula in f32 throughout; reference: in f64.";
 
 /// A number with four digits at most.
@@ -44,7 +43,6 @@ fn of_panel(panel: &Panel, limit: f64) -> String {
     let mut head = vec!["method", &keeps, &at[0], &at[1], "own"];
     head.extend(has_times.then_some("ms"));
     let rows = panel.curves.iter().map(|curve| {
-        let doubt = if curve.is_undecided { " ?" } else { "" };
         let ends = [curve.points.first(), curve.points.last()];
         let [first, last] = ends.map(|it| short(it.and_then(Point::error)));
         let own = curve
@@ -58,7 +56,7 @@ fn of_panel(panel: &Panel, limit: f64) -> String {
         });
         let cells = [
             curve.method.to_owned(),
-            curve.places(&curve.keeps) + doubt,
+            curve.places(&curve.keeps),
             first,
             last,
             short(own),

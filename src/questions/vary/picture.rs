@@ -2,7 +2,6 @@
 
 use std::array::from_fn;
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 
 use fearless_simd::Level;
@@ -116,8 +115,6 @@ impl Error {
 pub struct Errors {
     /// By contender.
     pub of: Vec<Error>,
-    /// A hash of the background and of all pixels that show a cuboid.
-    pub hash: u64,
     /// The height of the cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
     pub height: Option<f64>,
 }
@@ -170,21 +167,14 @@ pub async fn errors(
     let exact = Reference::<Interval>::new(&world, &phong);
     let mut found = Errors {
         of: vec![Error::default(); contenders.len()],
-        hash: 0,
         height: unseen::height(&world, &view),
     };
-    let mut hasher = DefaultHasher::new();
-    let bits = |levels: [f64; 3]| levels.map(f64::to_bits);
-    bits(view.background.to_array()).hash(&mut hasher);
     let [columns, rows] = lattice(bounds(&exact), compared);
     for y in rows {
         exact.part_of_row(y, columns.clone(), |x, seen| {
             for (picture, error) in pictures.iter().zip(&mut found.of) {
                 let (face, levels) = picture([x, y]);
-                if face.is_some() {
-                    error.pixels += 1;
-                    ([x, y], bits(levels)).hash(&mut hasher);
-                }
+                error.pixels += usize::from(face.is_some());
                 enlarge(&mut error.error, face, levels, seen);
             }
         });
@@ -207,7 +197,6 @@ pub async fn errors(
             error.own_error = error.error;
         }
     }
-    found.hash = hasher.finish();
     Ok(found)
 }
 

@@ -88,15 +88,6 @@ impl Refined {
         self.variable == other.variable && self.size == other.size && self.scene == other.scene
     }
 
-    /// Whether several values are drawn, and their pictures are the same.
-    pub fn is_still(&self) -> bool {
-        self.found.len() > 2
-            && self
-                .found
-                .windows(2)
-                .all(|pair| pair[0].1.hash == pair[1].1.hash)
-    }
-
     /// Draws the pictures of a few more values.
     ///
     /// # Errors

@@ -166,9 +166,6 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let pictures =
         format!("error in pictures of {width}x{height}, at a lattice of up to {PIXELS} pixels");
     ui.small(pictures).on_hover_text(LATTICE);
-    if known.is_some_and(Refined::is_still) {
-        ui.colored_label(BAD, "This number does not change the picture.");
-    }
     let mut change = plot(ui, variable, wanted.limit, &curves, value);
     let mut numbers = [variable.from, value, variable.to];
     ui.columns(3, |columns| {
