@@ -12,27 +12,6 @@ use crate::shading::Method;
 pub const UNSEEN: f64 = 0.5;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
-/// The sentences about Gouraud, Phong within half a level, the assignment's shortcut and Gouraud with enough vertices, if they
-/// were measured.
-pub fn verdict(measured: &[Measurement]) -> String {
-    if measured.iter().all(|it| it.error.is_none()) {
-        return NOTHING.to_owned();
-    }
-    let subjects = [(Gouraud, UNSEEN), (Phong, UNSEEN), (UnitVectors, 0.0)];
-    let of = |(mode, tolerance)| find(measured, Method::of(mode, tolerance));
-    // The fewest vertices whose error is not visible, or else the most.
-    let mut grids = measured.iter().filter(|it| it.method.segments.is_some());
-    let is_unseen = |it: &&Measurement| it.largest_error().is_some_and(|it| it <= 2.0 * UNSEEN);
-    let mut enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
-    // More cells are not worth a word if one suffices.
-    let one = find(measured, Method::of(Gouraud, UNSEEN));
-    if one.is_some_and(|it| is_unseen(&it)) {
-        enough = None;
-    }
-    let told = subjects.into_iter().filter_map(of).chain(enough);
-    joined(told.filter_map(|it| against_phong(measured, it, pace)), " ")
-}
-
 /// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
 /// A ratio of times is told once it is sure.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
