@@ -1,7 +1,6 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
 use super::timing::BATCHES;
-use super::verdict::verdict;
 use super::{LeftOut, Measurement, Report, is_timed};
 use crate::output::words::{self, aligned, counted, interval, joined, short, wrapped};
 
@@ -34,16 +33,15 @@ fn timed(one: &Measurement, text: String) -> String {
 const RANGE: &str = "range of 8 runs";
 const _: () = assert!(BATCHES == 8);
 
-/// The text for a terminal: the verdict, the view and the machine, the table, and the meaning of its columns.
+/// The text for a terminal: the view and the machine, the table, and the meaning of its columns.
 pub fn table(report: &Report) -> String {
     let mut paragraphs = vec![
-        wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), rows(report)),
         wrapped(&left_out(report)),
         wrapped(&legend(report)),
     ];
-    // The verdict may have nothing to say, and mostly nothing is left out.
+    // Mostly nothing is left out.
     paragraphs.retain(|paragraph| !paragraph.is_empty());
     paragraphs.join("\n\n") + "\n"
 }
@@ -55,8 +53,7 @@ pub fn markdown(report: &Report) -> String {
         left_out += "\n\n";
     }
     format!(
-        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}{} trade.json has the other figures.\n",
-        verdict(&report.methods),
+        "{}  \n{}  \n`{}`\n\n{}\n{}{} trade.json has the other figures.\n",
         subject(report),
         place(report),
         report.command,

@@ -5,7 +5,7 @@
 use super::{Measurement, is_timed};
 use crate::components::Segments;
 use crate::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
-use crate::output::words::{capital, counted, is_narrow, joined, pace, short, sure_pace};
+use crate::output::words::{capital, counted, is_narrow, short, sure_pace};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
@@ -16,7 +16,7 @@ const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to tra
 /// A ratio of times is told once it is sure.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     let shown = find(measured, shown)?;
-    let Some(text) = against_phong(measured, shown, sure_pace) else {
+    let Some(text) = against_phong(measured, shown) else {
         return Some(NOTHING.to_owned());
     };
     Some(match gouraud_beside(measured, shown) {
@@ -59,16 +59,12 @@ fn find(measured: &[Measurement], method: Method) -> Option<&Measurement> {
 }
 
 /// The time of `shown` compared with its rival, and its error; `None` if nothing is drawn.
-fn against_phong(
-    measured: &[Measurement],
-    shown: &Measurement,
-    pace: fn([f64; 2], [f64; 2]) -> String,
-) -> Option<String> {
+fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
     let error = format!("off by {} of 255", short(shown.largest_error()?));
     let name = capital(&method_name(shown.method));
     Some(match rival(measured, shown) {
         Some(rival) => {
-            let pace = pace(shown.timing.interval, rival.timing.interval);
+            let pace = sure_pace(shown.timing.interval, rival.timing.interval);
             format!("{name}: {pace} {}, {error}.", method_name(rival.method))
         }
         None => format!("{name}: {error}."),
