@@ -66,8 +66,8 @@ pub fn svg(report: &Report) -> anyhow::Result<String> {
     let key = if methods.is_empty() {
         "No pixel of this view can be compared, so there is nothing to trade."
     } else {
-        "Filled: a best trade; the grey line joins them. Orange line: Gouraud with more and more vertices. Bar: the range \
-         of times. An error below 0.001 is drawn at 0.001. At the right edge: not timed."
+        "Filled: a best trade; the grey line joins them. Orange line: Gouraud with more and more vertices. An error \
+         below 0.001 is drawn at 0.001. At the right edge: not timed."
     };
     chart::svg(SIZE, |area| {
         let title = "The cost and the error of each shading method";
@@ -97,13 +97,6 @@ fn draw(area: &Area, methods: &[&Measurement]) -> anyhow::Result<()> {
     let points: Vec<_> = curve.map(|it| place_of(it, times.end)).collect();
     let line = color(ShadingMode::Gouraud).mix(0.5).stroke_width(1);
     chart.draw_series([PathElement::new(points, line)])?;
-    for one in methods.iter().filter(|it| is_timed(it.method)) {
-        let (_, error) = place_of(one, times.end);
-        let within = |end: f64| (end.clamp(times.start, times.end), error);
-        let ends = one.timing.interval.map(within);
-        let line = color(one.method.mode).stroke_width(1);
-        chart.draw_series([PathElement::new(ends, line)])?;
-    }
     let plot = chart.plotting_area();
     let columns = plot.get_pixel_range().0;
     let mut taken = Vec::new();
