@@ -9,9 +9,7 @@ use fearless_simd::Level;
 use hecs::World;
 use serde::Serialize;
 
-use crate::components::{
-    Name, NormalMode, Projection, Segments, ShadingMode, View, active_camera, common, get,
-};
+use crate::components::{Name, Projection, ShadingMode, View, active_camera, common, get};
 use crate::output::{one_line, say};
 use crate::scene::{Scene, unseen};
 use crate::systems::frame::Workers;
@@ -73,21 +71,10 @@ impl Drawing {
         common(&self.scene.world).map_or("scene", ShadingMode::name)
     }
 
-    /// The picture in words: the heading, shading and tolerance. Corner normals and one segment go without saying.
+    /// The picture in words: the heading, shading and tolerance.
     pub fn subject(&self) -> String {
-        let world = &self.scene.world;
-        let normals = match common(world) {
-            Some(NormalMode::Corner) => "",
-            Some(NormalMode::Face) => ", face normals",
-            None => ", corner and face normals",
-        };
-        let segments = match common::<Segments>(world).map(Segments::count) {
-            Some(1) => String::new(),
-            Some(count) => format!(", {count} segments"),
-            None => ", different segments".to_owned(),
-        };
         let (heading, mode, tolerance) = (self.heading(), self.mode(), self.view().tolerance);
-        format!("{heading}, {mode}{normals}{segments}, tolerance {tolerance}")
+        format!("{heading}, {mode}, tolerance {tolerance}")
     }
 
     /// A drawing of the present state, to be changed.
