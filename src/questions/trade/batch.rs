@@ -8,7 +8,6 @@
 
 use std::env;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -80,7 +79,7 @@ pub async fn time_in_a_process(
         number,
     };
     let times = || {
-        let mut child = Command::new(this_program()?)
+        let mut child = Command::new(env::current_exe()?)
             .args(["trade", "--batch"])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -97,16 +96,6 @@ pub async fn time_in_a_process(
         serde_json::from_slice(&output.stdout).context("its times cannot be read")
     };
     times().context("cannot measure in a process of its own")
-}
-
-/// The file of the running program. Linux keeps it even if a new build has replaced it.
-fn this_program() -> io::Result<PathBuf> {
-    let kept = Path::new("/proc/self/exe");
-    if cfg!(target_os = "linux") && kept.exists() {
-        Ok(kept.to_owned())
-    } else {
-        env::current_exe()
-    }
 }
 
 /// The command `trade --batch`: times the batch on standard input and prints its times.

@@ -1,7 +1,6 @@
 //! `trade`: its options, and its batches in processes of their own.
 
 use std::fs;
-use std::process::{Command, Stdio};
 
 use serde_json::{Value, json};
 use shadetrade::scene::SceneRecord;
@@ -49,22 +48,6 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
     let given = ["-o", "my report", "--", "/dev/stdin"];
     let expected = line.split(' ').chain(given);
     assert!(words.lines().eq(expected), "{command}");
-}
-
-#[test]
-fn a_measurement_goes_on_if_the_program_is_removed() {
-    let folder = folder();
-    let program = folder.path().join("program");
-    fs::copy(env!("CARGO_BIN_EXE_shadetrade"), &program).expect("there is room for it");
-    let child = Command::new(&program)
-        .args("trade --quick --size 64x48 --methods phong-0".split(' '))
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("it starts");
-    fs::remove_file(&program).expect("it is there");
-    let output = child.wait_with_output().expect("it ends");
-    assert!(output.status.success(), "{}", said(&output));
 }
 
 #[test]
