@@ -29,16 +29,12 @@ pub struct Machine {
 impl Machine {
     /// This machine with a SIMD level.
     pub fn this(level: Level) -> Self {
-        let read = |path, key, otherwise: &str| {
-            let text = fs::read_to_string(path).unwrap_or_default();
-            value_of(key, &text).unwrap_or(otherwise).to_owned()
-        };
-        let system = read("/etc/os-release", "PRETTY_NAME", OS);
+        let table = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
         Machine {
-            cpu: read("/proc/cpuinfo", "model name", ARCH),
+            cpu: model_name(&table).unwrap_or(ARCH).to_owned(),
             cores: all_cores(),
             lanes: simd::name(level),
-            os: format!("{system} {ARCH}"),
+            os: format!("{OS} {ARCH}"),
             rustc: env!("SHADETRADE_RUSTC"),
             profile: if cfg!(debug_assertions) {
                 "debug"
@@ -49,15 +45,11 @@ impl Machine {
     }
 }
 
-/// The value after `key` and `=` or `:` in the first such line, without quotes.
-fn value_of<'a>(key: &str, text: &'a str) -> Option<&'a str> {
-    let after_key = |line: &'a str| {
-        line.strip_prefix(key)?
-            .trim_start()
-            .strip_prefix(['=', ':'])
-    };
-    let value = text.lines().find_map(after_key)?;
-    Some(value.trim().trim_matches('"')).filter(|value| !value.is_empty())
+/// The name of the processor in Linux's table of processors.
+fn model_name(table: &str) -> Option<&str> {
+    let mut lines = table.lines();
+    let after_key = lines.find_map(|line| line.strip_prefix("model name"))?;
+    Some(after_key.trim_start().strip_prefix(':')?.trim())
 }
 
 #[cfg(test)]
@@ -65,15 +57,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn facts_are_read_from_both_kinds_of_file() {
-        let cpuinfo = "processor\t: 0\nmodel\t\t: 17\nmodel name\t: Some CPU @ 2 GHz\n";
-        assert_eq!(value_of("model name", cpuinfo), Some("Some CPU @ 2 GHz"));
-        let release = "NAME=\"Debian\"\nPRETTY_NAME=\"Debian GNU/Linux 12\"\n";
-        assert_eq!(
-            value_of("PRETTY_NAME", release),
-            Some("Debian GNU/Linux 12")
-        );
-        assert_eq!(value_of("model name", release), None);
-        assert_eq!(value_of("NAME", "NAME=\n"), None);
+    fn the_processor_has_its_name() {
+        let table = "processor\t: 0\nmodel\t\t: 17\nmodel name\t: Some CPU @ 2 GHz\n";
+        assert_eq!(model_name(table), Some("Some CPU @ 2 GHz"));
+        assert_eq!(model_name("model\t\t: 17\n"), None);
     }
 }
