@@ -186,22 +186,6 @@ view.pixel.")]
 }
 
 impl Command {
-    /// Checks that no two results go to standard output.
-    fn check_standard_output(&self) -> Result<(), Failure> {
-        let (file, option) = match self {
-            Command::Prove(it) if it.json => (&it.output, "--json"),
-            Command::Requires(it) if it.json => (&it.output, "--json"),
-            // The others have one result, or none on standard output.
-            _ => return Ok(()),
-        };
-        if *file == Some(Output::Stdout) {
-            return Err(Failure::Usage(anyhow!(
-                "-o and {option} both write to standard output; give -o a file"
-            )));
-        }
-        Ok(())
-    }
-
     /// Starts the global threads of rayon, which evaluate the reference. The renderer starts its own threads.
     ///
     /// Otherwise rayon would start one per core on first use, and panic if that fails.
@@ -239,11 +223,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
         return Err(Failure::of(&error));
     }
     match Arguments::try_parse_from(words) {
-        Ok(Arguments { command, view }) => {
-            let command = command.unwrap_or(Command::View(view));
-            command.check_standard_output()?;
-            Ok(Some(command))
-        }
+        Ok(Arguments { command, view }) => Ok(Some(command.unwrap_or(Command::View(view)))),
         Err(error) if error.use_stderr() => Err(Failure::of(&error)),
         Err(help) => match help.print().and_then(|()| io::stdout().flush()) {
             Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Work(

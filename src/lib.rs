@@ -197,7 +197,7 @@
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
 //!   `window/actions.rs` that writes components; help and tooltips show it by themselves;
 //! - a command: a variant of [`cli::Command`] with its examples, and an arm in `main.rs`; in `cli.rs`, a row of
-//!   `start_threads` if it evaluates the reference, and of `check_standard_output` if it can write two results.
+//!   `start_threads` if it evaluates the reference.
 //!
 //! # Who may import whom: nine rooms
 //!

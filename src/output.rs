@@ -107,7 +107,7 @@ pub fn json<T: Serialize>(record: &T) -> anyhow::Result<String> {
     Ok(serde_json::to_string_pretty(record)? + "\n")
 }
 
-/// Prints a record to standard output, as JSON or as `text`. Text goes to standard error if `file` takes standard output.
+/// Prints a record to standard output, as JSON or as `text`; to standard error if `file` takes standard output.
 ///
 /// # Errors
 /// As [`Output::write`].
@@ -117,14 +117,16 @@ pub fn print<T: Serialize>(
     file: Option<&Output>,
     text: impl FnOnce() -> String,
 ) -> anyhow::Result<()> {
-    if as_json {
-        return Output::Stdout.write(json(record)?);
-    }
+    let text = if as_json {
+        json(record)?
+    } else {
+        printable(&text()) + "\n"
+    };
     if file == Some(&Output::Stdout) {
-        say(&text());
+        say(text.trim_end());
         return Ok(());
     }
-    Output::Stdout.write(printable(&text()) + "\n")
+    Output::Stdout.write(text)
 }
 
 /// Prints a line to standard error, so that standard output holds the result alone.

@@ -64,8 +64,6 @@ const FAILURES: &str = r#"
 2  render -o b.jpg  ->  b.jpg|.png
 2  prove -o b.toml  ->  b.toml|.png
 2  requires -o b.png  ->  b.png|.toml
-2  prove -o - --json  ->  -o and --json|give -o a file
-2  requires -o /dev/stdout --json  ->  -o and --json
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
 2  trade sub/trade.md -o sub  ->  sub/trade.md is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
