@@ -51,16 +51,11 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
     let object = &surface.object;
     ui.label(format!("{object}, {}", surface.triangle_label()));
     verdict(ui, surface);
-    let is_phong = surface.mode == ShadingMode::Phong;
-    if is_phong {
-        ui.label(surface.cost());
+    if surface.mode == ShadingMode::Phong {
         ui.weak("Gouraud shading instead:");
     }
     for sentence in surface.cause().into_iter().flatten() {
         ui.label(sentence);
-    }
-    if !is_phong {
-        ui.label(surface.cost());
     }
     section(
         ui,
