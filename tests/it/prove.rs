@@ -10,7 +10,6 @@ mod picture;
 mod scenes;
 mod search;
 mod segments;
-mod squares;
 
 use fearless_simd::Level;
 use hecs::World;
