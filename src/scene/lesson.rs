@@ -225,25 +225,15 @@ impl StepRecord {
         let count = self.ask.len();
         match (self.right, &self.then) {
             (None, None) if count == 0 => Ok(None),
-            _ if count < 2 => {
-                let why = "expected `ask` with two or more answers, `right` and `then`";
-                Err(Mistake::new("ask", why))
-            }
-            (Some(right @ 1..), Some(then)) if right <= count => Ok(Some(Question {
+            (Some(right @ 1..), Some(then)) if count > 1 && right <= count => Ok(Some(Question {
                 answers: self.ask.clone(),
                 right: right - 1,
                 then: then.clone(),
             })),
-            (Some(1..), None) => {
-                let why = "missing field `then`, expected the sentence after an answer";
-                Err(Mistake::new("then", why))
-            }
-            (right, _) => {
-                let found = right.map_or("missing field `right`".to_owned(), |right| {
-                    format!("invalid value: {right}")
-                });
-                let why = format!("{found}, expected the number of an answer from 1 to {count}");
-                Err(Mistake::new("right", why))
+            _ => {
+                let why = "expected two or more answers, with `right`, the number of one of them from 1 on, and `then`, \
+                           the sentence after an answer";
+                Err(Mistake::new("ask", why))
             }
         }
     }

@@ -89,10 +89,10 @@ STEP⏎words = 1                                   ¦ 4:1  ¦ words
                                                  ¦ 1:1  ¦ expected one or more tables, each headed `[[step]]`
 step = []                                        ¦ 2:8  ¦ expected one or more tables, each headed `[[step]]`
 STEP⏎show = ['segments', 'colour']               ¦ 4:21 ¦ `segments`
-STEP⏎ask = ['b', 'c']⏎right = 3⏎then = 'd'       ¦ 5:9  ¦ from 1 to 2
-STEP⏎ask = ['b', 'c']⏎right = 0                  ¦ 5:9  ¦ from 1 to 2
-STEP⏎ask = ['b', 'c']⏎then = 'd'                 ¦ 2:1  ¦ `right`, expected the number
-STEP⏎ask = ['b', 'c']⏎right = 1                  ¦ 2:1  ¦ `then`, expected the sentence
+STEP⏎ask = ['b', 'c']⏎right = 3⏎then = 'd'       ¦ 4:7  ¦ from 1 on
+STEP⏎ask = ['b', 'c']⏎right = 0⏎then = 'd'       ¦ 4:7  ¦ from 1 on
+STEP⏎ask = ['b', 'c']⏎then = 'd'                 ¦ 4:7  ¦ `right`
+STEP⏎ask = ['b', 'c']⏎right = 1                  ¦ 4:7  ¦ `then`
 STEP⏎ask = ['b']⏎right = 1⏎then = 'd'            ¦ 4:7  ¦ two or more answers
 STEP⏎right = 1                                   ¦ 2:1  ¦ two or more answers
 STEP⏎ask = ['b', 'LONG']                         ¦ 4:7  ¦ at most 200
