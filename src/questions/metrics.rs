@@ -59,8 +59,6 @@ pub enum Pixel {
 pub struct Difference {
     /// `None` if no pixel shows the same face in both.
     pub error: Option<ErrorStatistics>,
-    /// Pixels that show the same face in both.
-    pub compared_pixels: u64,
     /// Pixels that show different faces, or a face in one picture and the background in the other.
     pub edge_pixels: u64,
 }
@@ -157,7 +155,6 @@ pub fn compare(left: Picture<impl Into<f64> + Copy>, right: Picture<f64>) -> Dif
     }
     Difference {
         error: (!errors.is_empty()).then(|| statistics(&mut errors, max, max_pixel)),
-        compared_pixels: errors.len() as u64,
         edge_pixels,
     }
 }

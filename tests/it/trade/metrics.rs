@@ -35,7 +35,7 @@ fn the_figures_of_four_pixels_are_those_computed_by_hand() {
         [101.0, 100.0, 100.0],
     ];
     let difference = against_gray(&levels);
-    assert_eq!((difference.compared_pixels, difference.edge_pixels), (4, 0));
+    assert_eq!(difference.edge_pixels, 0);
     let expected = ErrorStatistics {
         max: 4.0,
         max_pixel: [2, 0],
@@ -101,12 +101,11 @@ fn pixels_of_one_face_are_compared_and_others_are_edge_pixels() {
         let (zeros, nines) = ([[0.0; 3]; 4], [[9.0; 3]; 4]);
         let (left, right) = (whole(2, &zeros, &left), whole(2, &nines, &right));
         let found = compare(left, right);
-        let pixels = (found.compared_pixels, found.edge_pixels);
-        assert_eq!(pixels, (compared_pixels, edge_pixels));
+        assert_eq!(found.edge_pixels, edge_pixels);
         let error = (compared_pixels > 0).then_some(9.0);
         assert_eq!(found.error.map(|error| error.max), error);
         let kinds = compared(left, right).filter(|it| matches!(it, Pixel::Error(_)));
-        assert_eq!(kinds.count() as u64, compared_pixels);
+        assert_eq!(kinds.count(), compared_pixels);
     }
 }
 
