@@ -227,7 +227,7 @@ pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
     let cells: Vec<_> = pictures
         .into_iter()
         .zip(&words)
-        .map(|(pixels, [says, answers])| (pixels, [&**says, answers, ""]))
+        .map(|(pixels, [says, answers])| (pixels, [&**says, answers]))
         .collect();
     let columns = COLUMNS.min(lesson.len());
     let (pixels, sheet_size) = sheet(&title(&drawing.scene.name), columns, &cells, size);

@@ -3,7 +3,7 @@
 //! ```text
 //! title
 //! +---------+   +---------+
-//! | picture | + | picture |     the joiner of a cell is drawn in the gap after it
+//! | picture |   | picture |
 //! +---------+   +---------+
 //! heading remark  heading remark     both may have several lines
 //! ```
@@ -11,7 +11,7 @@
 use std::sync::Arc;
 
 use egui::text::LayoutJob;
-use egui::{Align2, FontId, Galley, Painter, Pos2, Rect, StrokeKind, TextFormat, pos2, vec2};
+use egui::{Align2, FontId, Galley, Painter, Rect, StrokeKind, TextFormat, pos2, vec2};
 
 use crate::output::paint::{annotate, color};
 
@@ -36,9 +36,8 @@ const LABEL_HEIGHT: usize = 24;
 const TITLE: FontId = FontId::proportional(28.0);
 const LABEL: FontId = FontId::proportional(19.0);
 
-/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour;
-/// and a sign between this cell and the next, which may be empty.
-pub type Cell<'a> = (Vec<u32>, [&'a str; 3]);
+/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour.
+pub type Cell<'a> = (Vec<u32>, [&'a str; 2]);
 
 /// A picture at half its size. A pixel is the mean of four; an odd last row or column is dropped.
 pub fn half(pixels: &[u32], size: [usize; 2]) -> Vec<u32> {
@@ -88,11 +87,8 @@ pub fn sheet(
     }
     annotate(&mut pixels, size, |ui| {
         let painter = ui.painter();
-        let write = |at: Pos2, align: Align2, text: &str| {
-            painter.text(at, align, text, TITLE, color(BRIGHT));
-        };
-        let margin = MARGIN as f32;
-        write(pos2(margin, margin), Align2::LEFT_TOP, title);
+        let corner = pos2(MARGIN as f32, MARGIN as f32);
+        painter.text(corner, Align2::LEFT_TOP, title, TITLE, color(BRIGHT));
         for (index, cell) in cells.iter().enumerate() {
             let [x, y] = place(index).map(|at| at as f32);
             let size = vec2(cell_width as f32, cell_height as f32);
@@ -101,15 +97,13 @@ pub fn sheet(
             painter.rect_stroke(picture, 0.0, frame, StrokeKind::Outside);
             let below = picture.left_bottom() + vec2(0.0, LABEL_GAP as f32);
             painter.galley(below, label(painter, cell, cell_width), color(BRIGHT));
-            let beside = picture.right_center() + vec2(GAP as f32 / 2.0, 0.0);
-            write(beside, Align2::CENTER_CENTER, cell.1[2]);
         }
     });
     (pixels, size)
 }
 
 /// The label of a cell, no wider than its picture.
-fn label(painter: &Painter, (_, [heading, remark, _]): &Cell, width: usize) -> Arc<Galley> {
+fn label(painter: &Painter, (_, [heading, remark]): &Cell, width: usize) -> Arc<Galley> {
     let format = |ink: u32| TextFormat::simple(LABEL, color(ink));
     let mut text = LayoutJob::default();
     text.wrap.max_width = width as f32;
@@ -138,10 +132,7 @@ mod tests {
             0x0040_0000,
             0x0050_0000,
         ];
-        let cells = colors.map(|color| {
-            let joiner = if color == 0x0030_0000 { "" } else { "+" };
-            (vec![color; 60 * 40], ["A", "b", joiner])
-        });
+        let cells = colors.map(|color| (vec![color; 60 * 40], ["A", "b"]));
         let (pixels, [width, height]) = sheet("Title", 3, &cells, [60, 40]);
         for color in colors {
             assert_eq!(
