@@ -52,10 +52,16 @@ fn every_extreme_passes() {
         // Most of an extreme runs on one core.
         let name = simd::name(level);
         let extremes = extremes(is_full() && name == simd::name(Level::new()));
-        let outcomes = extremes.par_iter().with_max_len(4);
-        let outcomes = outcomes.map(|extreme| extreme.outcome(level));
-        let failed = outcomes.filter(|outcome| !outcome.pass);
-        let failed: Vec<String> = failed.map(|outcome| outcome.to_string()).collect();
+        let extremes = extremes.par_iter().with_max_len(4);
+        let outcomes = extremes.map(|extreme| (extreme, extreme.outcome(level)));
+        // Few pixels of cuboids prove little.
+        let is_seen = |extreme: &Extreme, outcome: &Outcome| {
+            let pixels = outcome.observed.split(' ').next();
+            let pixels: usize = pixels.and_then(|it| it.parse().ok()).unwrap_or(0);
+            extreme.fact.is_some() || 70 * pixels >= extreme.size[0] * extreme.size[1]
+        };
+        let failed = outcomes.filter(|(extreme, it)| !it.pass || !is_seen(extreme, it));
+        let failed: Vec<String> = failed.map(|(_, outcome)| outcome.to_string()).collect();
         assert!(failed.is_empty(), "{name}\n{}", failed.join("\n"));
     }
 }
