@@ -54,11 +54,6 @@ pub async fn errors(
     let phong = Method::of(ShadingMode::Phong, 0.0);
     let highlight = reference(&specular, phong, &before_black, monitor).await?;
     let exact = reference(&scene, phong, view, monitor).await?;
-    let mut definitions = Definitions {
-        scene: &request.drawing.scene,
-        view,
-        last: None,
-    };
     let progress = monitor.progress;
     // Pictures by the reference are a part of this step.
     let monitor = Monitor {
@@ -85,11 +80,12 @@ pub async fn errors(
         let difference = compare(Picture::from(&drawn), Picture::from(&exact));
         let mut own_error = None;
         if request.is_report {
-            let own = match method.mode {
-                ShadingMode::Phong => &exact,
-                _ => definitions.picture(*method, monitor).await?,
+            own_error = if method.mode == ShadingMode::Phong {
+                difference.error
+            } else {
+                let own = reference(&scene, *method, view, monitor).await?;
+                compare(Picture::from(&drawn), Picture::from(&own)).error
             };
-            own_error = compare(Picture::from(&drawn), Picture::from(own)).error;
         }
         found.methods.push(Measurement {
             method: *method,
@@ -105,28 +101,6 @@ pub async fn errors(
         });
     }
     Ok(found)
-}
-
-/// The pictures of the methods' own definitions, but exact Phong. Most methods share that of the one before, so the last one
-/// is kept.
-struct Definitions<'a> {
-    scene: &'a Scene,
-    view: &'a View,
-    last: Option<(Method, Truth)>,
-}
-
-impl Definitions<'_> {
-    async fn picture(&mut self, method: Method, monitor: Monitor<'_>) -> anyhow::Result<&Truth> {
-        let is_same =
-            |it: &(Method, Truth)| (it.0.mode, it.0.segments) == (method.mode, method.segments);
-        let last = if let Some(last) = self.last.take().filter(is_same) {
-            last
-        } else {
-            let truth = reference(self.scene, method, self.view, monitor).await?;
-            (method, truth)
-        };
-        Ok(&self.last.insert(last).1)
-    }
 }
 
 /// A method whose grids do not fit in memory.
