@@ -149,12 +149,6 @@ impl TradeOptions {
     /// [`Failure::Usage`] if the scene is wrong.
     pub fn request(&self) -> Result<trade::Request, Failure> {
         let mut drawing = self.drawing.open(None)?;
-        if let (Some(scene), Some(folder)) = (&drawing.scene.path, &self.output) {
-            for name in trade::FILES {
-                let file = Output::File(folder.join(name));
-                options::refuse_to_replace(scene, Some(&file))?;
-            }
-        }
         drawing.threads = self.drawing.workers.threads.unwrap_or(1);
         let methods = match &self.methods {
             Some(ids) => {

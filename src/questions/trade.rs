@@ -42,7 +42,7 @@ use crate::shading::Method;
 use crate::systems::frame::Counts;
 
 /// The files of a report.
-pub const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
+const FILES: [&str; 3] = ["trade.json", "trade.md", "trade.svg"];
 
 /// The view and the methods to measure.
 pub struct Request {

@@ -4,8 +4,9 @@ use super::{Curve, Panel, Point, Report};
 use crate::output::words::{aligned, joined, rounded, short, wrapped};
 use crate::shading::limit;
 
-const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the tolerance, which is 0.05 if it is 0. Errors are upper bounds, in levels of 255. own: against the method's own definition. \
-    textbook-f32: the formula in f32 throughout; reference: in f64.";
+const LEGEND: &str = "The range in which the largest error of the picture against exact Phong is proven to be within the \
+    tolerance, which is 0.05 if it is 0. Errors are upper bounds, in levels of 255. own: against the method's own \
+    definition. textbook-f32: the formula in f32 throughout; reference: in f64.";
 
 /// A number with four digits at most.
 pub fn number(value: f64) -> String {

@@ -65,7 +65,6 @@ const FAILURES: &str = r#"
 2  prove -o b.toml  ->  b.toml|.png
 2  requires -o b.png  ->  b.png|.toml
 2  requires a.toml -o sub/../a.toml  ->  is the input itself
-2  trade sub/trade.md -o sub  ->  sub/trade.md is the input itself
 1  render --size 9x9 -o sub  ->  sub|directory
 1  requires -o sub  ->  sub|directory
 1  render --size 9x9 -o none/  ->  none/|directory
@@ -114,7 +113,6 @@ fn a_failure_has_its_exit_status_and_its_reason_and_writes_nothing() {
     let step = "scene = \"cuboid\"\n[[step]]\nsay = \"\"\nset.light.withe.on = true";
     put(folder, "step.toml", step);
     fs::create_dir(folder.join("sub")).expect("it is made");
-    put(folder, "sub/trade.md", SCENE);
     assert_works(folder, "render --size 96x72 -o drawn.png");
     let png = get(folder, "drawn.png");
     put(folder, "half.png", &png[..png.len() / 2]);
