@@ -141,26 +141,20 @@ impl Side {
 
 impl From<Side> for String {
     fn from(side: Side) -> String {
-        match side {
-            Side::Picture => "picture".to_owned(),
-            Side::Reference => "reference".to_owned(),
-            Side::Method {
-                mode: ShadingMode::UnitVectors,
-                ..
-            } => "phong-unit-vectors".to_owned(),
-            Side::Method {
-                mode: ShadingMode::BlinnPhong,
-                ..
-            } => "blinn-phong".to_owned(),
-            Side::Method {
-                mode: ShadingMode::Flat,
-                ..
-            } => "flat".to_owned(),
+        let (mode, segments, tolerance) = match side {
+            Side::Picture => return "picture".to_owned(),
+            Side::Reference => return "reference".to_owned(),
             Side::Method {
                 mode,
                 segments,
                 tolerance,
-            } => {
+            } => (mode, segments, tolerance),
+        };
+        match mode {
+            ShadingMode::Flat => "flat".to_owned(),
+            ShadingMode::UnitVectors => "phong-unit-vectors".to_owned(),
+            ShadingMode::BlinnPhong => "blinn-phong".to_owned(),
+            ShadingMode::Gouraud | ShadingMode::Phong => {
                 let count = segments.map(Segments::count);
                 let cells = count.map_or_else(String::new, |it| format!("-{it}x{it}"));
                 format!("{}{cells}-{tolerance}", mode.name())
