@@ -215,19 +215,6 @@ fn sources(world: &World) -> Vec<Source> {
 /// The levels under one mode.
 type Levels<T> = fn(&T) -> DVec3;
 
-impl ProbedSurface {
-    /// The number of the triangle, and the reference's number if it differs.
-    pub fn triangle_label(&self) -> String {
-        let own = self.triangle;
-        match &self.sample {
-            Some(sample) if sample.triangle != own => {
-                format!("triangle {own} (reference: {})", sample.triangle)
-            }
-            _ => format!("triangle {own}"),
-        }
-    }
-}
-
 impl Probe {
     /// The evaluation as JSON. A quantity that does not exist or is not finite is null.
     pub fn json(&self) -> Value {

@@ -34,8 +34,9 @@ impl Probe {
         let Some(surface) = &self.surface else {
             return vec![format!("pixel {x},{y}: background")];
         };
-        let (object, triangle) = (one_line(&surface.object), surface.triangle_label());
-        let mut page = Page(vec![format!("pixel {x},{y}: {object}, {triangle}")]);
+        let (object, triangle) = (one_line(&surface.object), surface.triangle);
+        let heading = format!("pixel {x},{y}: {object}, triangle {triangle}");
+        let mut page = Page(vec![heading]);
         if let Some(sample) = &surface.sample {
             page.work_out(surface, sample);
         } else {

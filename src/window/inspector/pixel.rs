@@ -49,7 +49,7 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
         return;
     };
     let object = &surface.object;
-    ui.label(format!("{object}, {}", surface.triangle_label()));
+    ui.label(format!("{object}, triangle {}", surface.triangle));
     verdict(ui, surface);
     if surface.mode == ShadingMode::Phong {
         ui.weak("Gouraud shading instead:");

@@ -158,9 +158,6 @@ fn a_page_says_which_levels_are_clamped_and_which_are_drawn() {
 fn a_page_says_what_the_reference_does_not_see() {
     let mut surface = surface_of(ShadingMode::Phong, [300, 300], |_| ());
     let triangle = surface.triangle;
-    surface.sample.as_mut().expect("the same face").triangle = triangle ^ 1;
-    let label = format!("(reference: {})", triangle ^ 1);
-    assert!(surface.triangle_label().ends_with(&label));
     let drawn = surface.phong;
     surface.sample = None;
     let mut probe = Probe {
