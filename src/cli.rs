@@ -18,9 +18,10 @@ pub mod options;
 
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
+use clap::error::ContextKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use rayon::ThreadPoolBuilder;
@@ -217,6 +218,10 @@ impl Command {
 /// # Errors
 /// If the command line is wrong, or the help cannot be printed.
 pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command>, Failure> {
+    let words: Vec<OsString> = words.into_iter().collect();
+    if let Some(error) = mistyped(&words) {
+        return Err(Failure::of(&error));
+    }
     match Arguments::try_parse_from(words) {
         Ok(Arguments { command, view }) => Ok(Some(command.unwrap_or(Command::View(view)))),
         Err(error) if error.use_stderr() => Err(Failure::of(&error)),
@@ -227,6 +232,19 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Option<Command
             _ => Ok(None),
         },
     }
+}
+
+/// The error of a first word that is similar to a command: it would be read as the scene of `view`. No built-in scene's name is
+/// similar to a command.
+fn mistyped(words: &[OsString]) -> Option<clap::Error> {
+    let word = words.get(1)?.to_str()?;
+    if word.starts_with('-') || word.contains(['.', '/']) || Path::new(word).exists() {
+        return None;
+    }
+    let commands = Command::augment_subcommands(clap::Command::new("shadetrade"));
+    let error = commands.try_get_matches_from(&words[..2]).err()?;
+    error.get(ContextKind::SuggestedSubcommand)?;
+    Some(error)
 }
 
 /// Prints the completion script of `shell` to standard output.

@@ -18,6 +18,7 @@
 //! | What may a pixel near an edge show? | `beside` the face; `joint`: nothing that touching faces hide |
 //! | What is the model at a point? | `illumination`; `cells` under Gouraud; `rule` has the parts that can be left out |
 //! | What does each pixel show? | `picture`; `sample` with vectors and terms |
+//! | How is a square enclosed at once? | `square`, with the bound of `interpolation` |
 //!
 //! The reference shares the scene's data (`components`) with the renderer, but none of its code. Positions are
 //! subtracted first (cuboid - eye, light - cuboid), so a scene a billion units from the origin loses no precision. Each
@@ -29,6 +30,7 @@ mod cells;
 mod edge;
 mod geometry;
 mod illumination;
+mod interpolation;
 mod interval;
 mod joint;
 mod picture;
@@ -36,6 +38,7 @@ mod real;
 mod rule;
 mod sample;
 mod sight;
+mod square;
 mod weights;
 
 pub use self::interval::Interval;
@@ -43,3 +46,4 @@ pub use self::picture::{Reference, Seen, Truth, picture};
 pub use self::real::Real;
 pub use self::rule::Rule;
 pub use self::sample::{LightSample, Sample, in_row};
+pub use self::square::{EnclosedSquare, MAX_SIDE};

@@ -6,24 +6,31 @@
 //! World --reference over intervals--> faces that each pixel may show, and their levels
 //!       --reference over f64--> the reference's own error
 //! ```
-//! `pixel` says when a pixel is proven. Each is enclosed by itself: a proof rests on no bound of the renderer's.
+//! `pixel` says when a pixel is proven.
+//!
+//! Under Phong, and beside the cuboids, most pixels are enclosed in squares, which takes a fraction of the time. The enclosure of a
+//! square is wider, so a pixel that it leaves open is enclosed by itself: verdicts do not depend on squares.
 
 mod cause;
 pub mod command;
+mod judgement;
 mod pixel;
+
+use std::ops::Range;
 
 use fearless_simd::Level;
 use hecs::World;
 use serde::Serialize;
 
 pub use self::cause::causes;
+use self::judgement::Judgement;
 pub use self::pixel::{Mark, Shown, Verdict, judge, nearest, shown};
 use self::pixel::{ROUNDING, compared, visible};
 use crate::components::View;
 use crate::output::progress::bands;
 use crate::output::{Monitor, memory};
 use crate::questions::metrics::{displayed, ends};
-use crate::reference::{Interval, Reference, Seen};
+use crate::reference::{Interval, MAX_SIDE, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers};
@@ -66,17 +73,25 @@ pub struct Proof {
     /// Pixels that may show nothing but a cuboid, and those of them that are proven.
     pub own: u64,
     pub own_proven: u64,
+    /// Pixels that the enclosure of their square proves.
+    pub in_squares: u64,
     /// The largest possible error of a proven pixel.
     pub worst: f64,
-    /// The widest enclosure of a pixel.
+    /// The widest enclosure of a pixel by itself.
     pub widest_enclosure: f64,
-    /// The largest possible error of the f64 reference.
+    /// The largest possible error of the f64 reference, at pixels that are enclosed by themselves.
     pub reference_error: f64,
     /// The pixels that are not proven: the refuted ones first, then gaps, and of each the ones with the largest errors.
     pub examples: Vec<Example>,
     /// Row by row from the top.
     #[serde(skip)]
     pub marks: Vec<Mark>,
+    /// The pixels of squares that may have the largest error, with their largest possible error.
+    #[serde(skip)]
+    candidates: Vec<([usize; 2], f64)>,
+    /// The largest error of the pixels of squares is at least this.
+    #[serde(skip)]
+    least_worst: f64,
 }
 
 impl Proof {
@@ -113,6 +128,9 @@ impl Proof {
         self.reference_error = self.reference_error.max(below.reference_error);
         self.own += below.own;
         self.own_proven += below.own_proven;
+        self.in_squares += below.in_squares;
+        self.least_worst = self.least_worst.max(below.least_worst);
+        self.candidates.extend(below.candidates);
         self.examples.extend(below.examples);
         self.examples.sort_by(|one, other| {
             let by_verdict = other.verdict.cmp(&one.verdict);
@@ -122,10 +140,15 @@ impl Proof {
         self.marks.extend(below.marks);
     }
 
-    /// Adds one pixel.
-    fn add(&mut self, pixel: [usize; 2], shown: Shown, seen: &[Seen<Interval>], limit: f64) {
+    /// Adds one pixel, and returns its judgement.
+    fn add(
+        &mut self,
+        pixel: [usize; 2],
+        shown: Shown,
+        seen: &[Seen<Interval>],
+        limit: f64,
+    ) -> Mark {
         let (mark, error) = judge(shown, seen, limit);
-        self.marks.push(mark);
         let enclosures = visible(seen).flat_map(|seen| ends(seen.levels));
         let widths = enclosures.map(|[least, largest]| largest - least);
         self.widest_enclosure = widths.fold(self.widest_enclosure, f64::max);
@@ -153,48 +176,29 @@ impl Proof {
                 drawn_face: shown.face,
             });
         }
+        mark
     }
-}
 
-/// A picture to be proven at several limits, and its enclosures.
-struct Judgement<'a, const COUNT: usize> {
-    enclosures: Reference<Interval>,
-    reference: Reference<f64>,
-    /// The picture of another program.
-    picture: Option<&'a [u32]>,
-    /// Levels and bytes of the renderer's picture, from `first_row` on.
-    frames: [[Frame; 2]; COUNT],
-    /// In levels.
-    limits: [f64; COUNT],
-    width: usize,
-    first_row: usize,
-}
-
-impl<const COUNT: usize> Judgement<'_, COUNT> {
-    /// A pixel as it is drawn at the limit of this index.
-    fn shown(&self, at: usize, [x, y]: [usize; 2], seen: &[Seen<Interval>]) -> Shown {
-        if let Some(picture) = self.picture {
-            return Shown::of_bytes(picture[y * self.width + x], seen, self.limits[at]);
+    /// Adds pixels that the enclosure of their square proves, all with this least and this largest possible error: the first
+    /// of them, and their indices.
+    fn add_in_square(
+        &mut self,
+        first: [usize; 2],
+        indices: Range<usize>,
+        mark: Mark,
+        error: [f64; 2],
+    ) {
+        let count = indices.len() as u64;
+        self.marks[indices].fill(mark);
+        self.in_squares += count;
+        let own = if mark.is_covered { count } else { 0 };
+        self.own += own;
+        self.own_proven += own;
+        let [least, most] = error;
+        self.least_worst = self.least_worst.max(least);
+        if most > self.least_worst {
+            self.candidates.push((first, most));
         }
-        let [levels, display] = &self.frames[at];
-        Shown::at((y - self.first_row) * self.width + x, levels, display)
-    }
-
-    /// Proves a row.
-    fn row(&self, y: usize) -> [Proof; COUNT] {
-        let mut floats = Vec::with_capacity(self.width);
-        self.reference.row(y, |_, seen| floats.push(seen[0]));
-        let mut proofs = self.limits.map(|_| Proof::default());
-        self.enclosures.row(y, |x, seen| {
-            let float = &floats[x];
-            let error = nearest(float.face(), float.levels, seen);
-            let most = error.map_or(255.0, |[_, most]| most);
-            for (at, proof) in proofs.iter_mut().enumerate() {
-                proof.add([x, y], self.shown(at, [x, y], seen), seen, self.limits[at]);
-                proof.reference_error = proof.reference_error.max(most);
-            }
-        });
-        proofs
     }
 }
 
@@ -257,13 +261,19 @@ pub async fn prove_at<const COUNT: usize>(
                 }
             }
         }
-        let done = [rows.start, height];
-        let row = |y| Ok(judgement.row(y));
-        let found = monitor.in_parallel("proving", rows, done, row);
-        for row in found.await? {
-            for (proof, row) in proofs.iter_mut().zip(row) {
-                proof.append(row);
+        let strips: Vec<_> = (rows.clone().step_by(MAX_SIDE))
+            .map(|start| start..rows.end.min(start + MAX_SIDE))
+            .collect();
+        let done = [rows.start, height].map(|row| row.div_ceil(MAX_SIDE));
+        let strip = |number: usize| Ok(judgement.strip(&strips[number]));
+        let found = monitor.in_parallel("proving", 0..strips.len(), done, strip);
+        for strip in found.await? {
+            for (proof, strip) in proofs.iter_mut().zip(strip) {
+                proof.append(strip);
             }
+        }
+        for (at, proof) in proofs.iter_mut().enumerate() {
+            judgement.find_worst(at, proof);
         }
     }
     proofs.iter_mut().for_each(Proof::count);

@@ -68,6 +68,15 @@ pub struct Meeting<R> {
     pub depth: R,
 }
 
+/// The part of a cuboid that a rectangle of the picture shows.
+pub enum Shown {
+    /// All of it this face.
+    Face(usize),
+    Nothing,
+    /// An edge may pass through it.
+    Undecided,
+}
+
 /// The intersection of a line of sight with a face.
 #[derive(Clone, Copy)]
 pub struct FacePoint<R> {
@@ -274,6 +283,26 @@ impl<R: Real> CuboidGeometry<R> {
             points,
             is_certain: hit.iter().any(|(_, inside)| *inside == Some(true)),
         })
+    }
+
+    /// The part of the cuboid that a rectangle of the picture with these corners shows. Edge functions are affine, so one that
+    /// has the same sign at all corners has it in all of the rectangle.
+    pub fn shown(&self, corners: &[Place; 4]) -> Shown {
+        let mut shown = Shown::Nothing;
+        for (number, face) in self.faces() {
+            let edges = || face.edges.iter().chain([&face.near]);
+            let is_all = |edge: &EdgeFunction<R>, side| {
+                corners
+                    .iter()
+                    .all(|corner| edge.side(*corner) == Some(side))
+            };
+            if edges().all(|edge| is_all(edge, true)) {
+                shown = Shown::Face(number);
+            } else if !edges().any(|edge| is_all(edge, false)) {
+                return Shown::Undecided;
+            }
+        }
+        shown
     }
 
     /// The edges of the faces, those at the near plane too.

@@ -297,7 +297,31 @@ impl<R: Real> ReferenceSurface<R> {
 
     /// l of a light at a point of a face.
     pub fn to_light(&self, light: usize, place: &FacePoint<R>) -> RealVector<R> {
-        (self.lights[light].from_eye - place.point).unit()
+        self.way_to_light(light, place).unit()
+    }
+
+    /// The vector from a point of a face to a light, in world units.
+    pub fn way_to_light(&self, light: usize, place: &FacePoint<R>) -> RealVector<R> {
+        self.lights[light].from_eye - place.point
+    }
+
+    /// The lights that have a place, in groups that share it and follow one another, each with the index of its first light.
+    pub fn lights_by_place(&self) -> impl Iterator<Item = (usize, &[LightTerm<R>])> {
+        let is_ambient = |light: &LightTerm<R>| light.kind == LightKind::Ambient;
+        let groups = self.lights.chunk_by(move |one, other| {
+            !is_ambient(one) && !is_ambient(other) && one.place == other.place
+        });
+        let mut next = 0;
+        let groups = groups.map(move |group| {
+            next += group.len();
+            (next - group.len(), group)
+        });
+        groups.filter(move |(_, group)| !is_ambient(&group[0]))
+    }
+
+    /// Whether normals vary over a face, because the faces at a corner share one.
+    pub fn has_shared_normals(&self) -> bool {
+        self.normals == NormalMode::Corner
     }
 
     /// Gouraud (1971): the levels at the corners, interpolated over the triangle.

@@ -157,6 +157,7 @@ fn proof_tab(ui: &mut Ui, study: &Study) {
         let off = proof.reference_error;
         [
             (proof.proven.to_string(), "pixels proven"),
+            (proof.in_squares.to_string(), "of them in whole squares"),
             (proof.undecided.to_string(), "pixels undecided"),
             (proof.gaps.to_string(), "pixels in gaps of touching faces"),
             (proof.refuted.to_string(), "pixels refuted"),

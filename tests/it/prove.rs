@@ -10,6 +10,7 @@ mod picture;
 mod scenes;
 mod search;
 mod segments;
+mod squares;
 
 use fearless_simd::Level;
 use hecs::World;

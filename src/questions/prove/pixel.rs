@@ -75,6 +75,13 @@ pub struct Mark {
     pub is_covered: bool,
 }
 
+/// The mark of a pixel before it is judged.
+pub(super) const UNKNOWN: Mark = Mark {
+    verdict: Verdict::Undecided,
+    is_outline: false,
+    is_covered: false,
+};
+
 /// A pixel as a renderer draws it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shown {

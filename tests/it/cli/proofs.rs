@@ -84,7 +84,7 @@ fn a_drawn_picture_is_proven() {
     let (status, proof) = json(folder().path(), "prove --size 96x72 --json");
     assert_eq!((status, &proof["proven"]), (Some(0), &proof["pixels"]));
     let of_proof = "scene camera projection size mode tolerance limit pixels proven refuted undecided gaps outline \
-                    covered own own_proven worst widest_enclosure reference_error examples causes seconds";
+                    covered own own_proven in_squares worst widest_enclosure reference_error examples causes seconds";
     assert_eq!(keys(&proof), of_proof);
     let names = ["scene", "camera", "projection", "mode"].map(|key| &proof[key]);
     assert_eq!(names, ["cuboid", "1", "perspective", "gouraud"]);
