@@ -28,7 +28,7 @@ use serde::Serialize;
 
 pub use self::progress::{CANCELLED, Monitor, finished};
 pub use crate::output::files::one_line;
-pub use png::{MAX_SIDE, PngPicture, encode_png, read_png};
+pub use png::{MAX_PICTURE_SIDE, PngPicture, encode_png, read_png};
 
 /// The destination of a file's content.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -46,4 +46,4 @@ pub use self::picture::{Reference, Seen, Truth, picture};
 pub use self::real::Real;
 pub use self::rule::Rule;
 pub use self::sample::{LightSample, Sample, in_row};
-pub use self::square::{EnclosedSquare, MAX_SIDE};
+pub use self::square::{EnclosedSquare, MAX_ENCLOSED_SIDE};

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use hecs::World;
 
-use crate::components::{Mesh, Segments, ShadingMode, View};
+use crate::components::{Segments, ShadingMode, View};
 use crate::output::memory::OutOfMemory;
 use crate::shading::grid::Grids;
 use crate::systems::frame::Frame;
@@ -33,6 +33,9 @@ pub const FRAME: [Stage; 5] = [
 ///
 /// # Errors
 /// If the picture, or the grids of its faces, do not fit in memory.
+///
+/// # Panics
+/// If a cuboid is to be shaded in a mode that the reference alone draws; see [`ShadingMode::is_drawn`].
 pub fn draw(world: &mut World, view: &View, frame: &mut Frame) -> Result<(), OutOfMemory> {
     draw_rows(world, view, 0..view.size[1], frame)
 }
@@ -41,6 +44,9 @@ pub fn draw(world: &mut World, view: &View, frame: &mut Frame) -> Result<(), Out
 ///
 /// # Errors
 /// As [`draw`].
+///
+/// # Panics
+/// As [`draw`].
 pub fn draw_with(
     stages: &[Stage],
     world: &mut World,
@@ -48,18 +54,16 @@ pub fn draw_with(
     rows: Range<usize>,
     frame: &mut Frame,
 ) -> Result<(), OutOfMemory> {
-    debug_assert!(
-        view.shading.is_none_or(ShadingMode::is_drawn),
-        "the reference draws it"
-    );
-    let cuboids = world.query_mut::<&Mesh>().into_iter().count();
-    let meshes = world.query_mut::<(&ShadingMode, &Segments)>().into_iter();
-    let gouraud = meshes.filter(|(mode, _)| view.mode(**mode) == ShadingMode::Gouraud);
-    let mut grids = [0_usize; 2];
-    for (_, segments) in gouraud {
-        let points = Grids::points(view.segments(*segments));
-        grids[0] += usize::from(points > 0);
-        grids[1] = grids[1].saturating_add(points);
+    let (mut cuboids, mut grids) = (0, [0_usize; 2]);
+    for (own, segments) in world.query_mut::<(&ShadingMode, &Segments)>() {
+        let mode = view.mode(*own);
+        assert!(mode.is_drawn(), "the reference alone draws {mode:?}");
+        cuboids += 1;
+        if mode == ShadingMode::Gouraud {
+            let points = Grids::points(view.segments(*segments));
+            grids[0] += usize::from(points > 0);
+            grids[1] = grids[1].saturating_add(points);
+        }
     }
     frame.begin(view.size, rows, cuboids > 1, grids)?;
     for run in stages {
@@ -71,6 +75,9 @@ pub fn draw_with(
 /// The same, but only these rows of the picture are drawn and held; their pixels are the same bits as in the whole.
 ///
 /// # Errors
+/// As [`draw`].
+///
+/// # Panics
 /// As [`draw`].
 pub fn draw_rows(
     world: &mut World,

@@ -17,7 +17,7 @@ use crate::components::{
     NormalMode, Projection, Segments, ShadingMode, Viewer, overwrite, viewer_mut,
 };
 use crate::output::files::check_place;
-use crate::output::{MAX_SIDE, Output, one_line};
+use crate::output::{MAX_PICTURE_SIDE, Output, one_line};
 use crate::questions::job::{Drawing, MAX_THREADS, all_cores};
 use crate::scene::key::{self, Key};
 use crate::scene::{BUILT_IN, Scene, SceneRecord};
@@ -227,7 +227,10 @@ fn budget(text: &str) -> Result<f64, &'static str> {
 }
 
 pub(super) fn size(text: &str) -> Result<[usize; 2], &'static str> {
-    let is_legal = |size: &[usize; 2]| size.iter().all(|side| (1..=MAX_SIDE).contains(side));
+    let is_legal = |size: &[usize; 2]| {
+        size.iter()
+            .all(|side| (1..=MAX_PICTURE_SIDE).contains(side))
+    };
     let size = pair(text, 'x').filter(is_legal);
     size.ok_or("it is WIDTHxHEIGHT in pixels, 1x1 to 16384x16384, such as 960x720")
 }

@@ -11,7 +11,7 @@ use image::{ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, Limits};
 use super::{files, memory, one_line};
 
 /// The longest side of a picture, in pixels.
-pub const MAX_SIDE: usize = 16_384;
+pub const MAX_PICTURE_SIDE: usize = 16_384;
 
 /// A PNG of 0x00RRGGBB pixels. A copy of 3 bytes per pixel is held meanwhile.
 ///
@@ -69,13 +69,13 @@ pub fn read_png(path: &Path) -> anyhow::Result<PngPicture> {
     ensure!(ends.any(|end| end == END), damaged());
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(TEXTS);
-    limits.max_image_width = Some(MAX_SIDE as u32);
+    limits.max_image_width = Some(MAX_PICTURE_SIDE as u32);
     limits.max_image_height = limits.max_image_width;
     let decoder = match PngDecoder::with_limits(Cursor::new(&bytes), limits) {
         Ok(decoder) => decoder,
         Err(ImageError::Limits(error)) if error.kind() == DimensionError => {
             bail!(
-                "{name} has more than {MAX_SIDE}x{MAX_SIDE} pixels, which are the most that are judged"
+                "{name} has more than {MAX_PICTURE_SIDE}x{MAX_PICTURE_SIDE} pixels, which are the most that are judged"
             )
         }
         Err(_) => return Err(damaged()),

@@ -24,13 +24,13 @@ use serde::Serialize;
 
 pub use self::cause::causes;
 use self::judgement::Judgement;
+use self::pixel::{BYTE_ROUNDING, compared, visible};
 pub use self::pixel::{Mark, Shown, Verdict, judge, nearest, shown};
-use self::pixel::{ROUNDING, compared, visible};
 use crate::components::View;
 use crate::output::progress::bands;
 use crate::output::{Monitor, memory};
 use crate::questions::metrics::{displayed, ends};
-use crate::reference::{Interval, MAX_SIDE, Reference, Seen};
+use crate::reference::{Interval, MAX_ENCLOSED_SIDE, Reference, Seen};
 use crate::shading::limit;
 use crate::systems;
 use crate::systems::frame::{Frame, Keep, Workers};
@@ -232,7 +232,11 @@ pub async fn prove_at<const COUNT: usize>(
 ) -> anyhow::Result<[Proof; COUNT]> {
     let [width, height] = view.size;
     // Bytes are rounded levels.
-    let rounding = if picture.is_some() { ROUNDING } else { 0.0 };
+    let rounding = if picture.is_some() {
+        BYTE_ROUNDING
+    } else {
+        0.0
+    };
     let mut proofs = tolerances.map(|tolerance| Proof {
         limit: limit(tolerance) + rounding,
         pixels: width * height,
@@ -261,10 +265,10 @@ pub async fn prove_at<const COUNT: usize>(
                 }
             }
         }
-        let strips: Vec<_> = (rows.clone().step_by(MAX_SIDE))
-            .map(|start| start..rows.end.min(start + MAX_SIDE))
+        let strips: Vec<_> = (rows.clone().step_by(MAX_ENCLOSED_SIDE))
+            .map(|start| start..rows.end.min(start + MAX_ENCLOSED_SIDE))
             .collect();
-        let done = [rows.start, height].map(|row| row.div_ceil(MAX_SIDE));
+        let done = [rows.start, height].map(|row| row.div_ceil(MAX_ENCLOSED_SIDE));
         let strip = |number: usize| Ok(judgement.strip(&strips[number]));
         let found = monitor.in_parallel("proving", 0..strips.len(), done, strip);
         for strip in found.await? {

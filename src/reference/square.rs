@@ -24,7 +24,7 @@ use super::sight::Place;
 use crate::components::{ShadingMode, TriangleId};
 
 /// The sides of squares, in pixels. A square whose error is too large is cut into quarters.
-pub const MAX_SIDE: usize = 16;
+pub const MAX_ENCLOSED_SIDE: usize = 16;
 const MIN_SIDE: usize = 4;
 
 /// sqrt(3) / 2, rounded. The polynomial x (x^2 - NODE^2) / 6 of the error, and the Lebesgue constant, change by less than a
@@ -73,12 +73,12 @@ impl EnclosedSquare {
 }
 
 impl Reference<Interval> {
-    /// Squares of these rows, at most [`MAX_SIDE`] of them, in which every pixel is enclosed within about `error` levels.
+    /// Squares of these rows, at most [`MAX_ENCLOSED_SIDE`] of them, in which every pixel is enclosed within about `error` levels.
     pub fn squares(&self, rows: &Range<usize>, error: f64) -> Vec<EnclosedSquare> {
         let mut squares = Vec::new();
         if self.without.is_none() {
-            for start in (0..self.sight.size[0]).step_by(MAX_SIDE) {
-                let columns = start..(start + MAX_SIDE).min(self.sight.size[0]);
+            for start in (0..self.sight.size[0]).step_by(MAX_ENCLOSED_SIDE) {
+                let columns = start..(start + MAX_ENCLOSED_SIDE).min(self.sight.size[0]);
                 self.add_squares([columns, rows.clone()], error, &mut squares);
             }
         }

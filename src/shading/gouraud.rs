@@ -230,6 +230,14 @@ impl<'a> Gouraud<'a> {
         has(squares.looked_up, square).then_some(levels)
     }
 
+    /// The evaluations of the model and of powers at a pixel.
+    pub fn evaluations(&self) -> [usize; 2] {
+        match &self.source {
+            Source::Corners(_) => [0, 0],
+            Source::Grid(grid, _) => grid.evaluations(),
+        }
+    }
+
     /// See [`super::Shader::levels_f64`].
     pub fn levels_f64(&self, x: f64, y: f64) -> DVec3 {
         let (uv, _) = self.face.uv_at(x, y);
@@ -254,7 +262,7 @@ impl GridSquares {
         tolerance: f64,
     ) -> LinearColors<S> {
         let divided = inlined!(|term: f64x4<S>| term * inverse);
-        let half = grid.segments as f64 / 2.0;
+        let half = grid.face.segments as f64 / 2.0;
         // w times the place on the grid.
         let places = two!(|axis| {
             let place = face.uvw.map(|it| (it[axis] + it.z) * half);
@@ -275,7 +283,7 @@ impl GridSquares {
             let range = [least, most].map(|it| two!(|axis| it[axis][square]));
             grid.patch(range, &face.corners, tolerance * PATCHED)
         });
-        let count = grid.segments as f64;
+        let count = grid.face.segments as f64;
         let on_linear = |patch: Option<LinearCells>| {
             let Some(patch) = patch else {
                 return Default::default();
@@ -307,7 +315,7 @@ impl GridSquares {
             .sum();
         self.looked_up = looked_up;
         self.origins = four!(|square| two!(|axis| {
-            let middle = places[axis].centre[square].clamp(0.0, grid.segments as f64);
+            let middle = places[axis].centre[square].clamp(0.0, grid.face.segments as f64);
             middle.floor()
         }));
         let local = two!(|axis| {

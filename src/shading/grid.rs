@@ -11,15 +11,18 @@
 
 mod linear;
 
+use std::ops::Range;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x8};
 use glam::DVec3;
 
 pub use self::linear::LinearCells;
-use super::U;
+use super::affine::Affine;
+use super::{Surface, U};
 use crate::components::Segments;
 use crate::output::memory::{self, Content, OutOfMemory};
-use crate::shading::simd::{inlined, three, two};
+use crate::shading::simd::{baseline, inlined, three, two};
 
 /// The grids of all faces in a frame.
 #[derive(Debug, Default)]
@@ -28,14 +31,20 @@ pub struct Grids {
     faces: Vec<FaceGrid>,
 }
 
-/// The grid of a face, whose levels start at an index.
+/// What is known of the grid of a face.
 #[derive(Debug)]
-struct FaceGrid {
-    start: usize,
-    segments: usize,
+pub(super) struct FaceGrid {
+    pub segments: usize,
+    /// Those that are seen.
     cells: Cells,
+    /// The indices of the levels at the points of these cells, row by row. None if each pixel lights the points of its own cell.
+    lit: Range<usize>,
+    /// The largest size of a level; infinite if none is lit.
     largest: f64,
+    /// The largest change of a level from a point to the next, along u and along v.
     steepest: [f64; 2],
+    /// Those of [`Surface::levels_in_lanes`], for pixels that light points.
+    functions: [Affine; 3],
 }
 
 /// A rectangle of cells of a grid: the first of them, and their numbers along u and v.
@@ -59,7 +68,7 @@ impl Cells {
     }
 
     /// The number of their points.
-    fn points(&self) -> usize {
+    pub fn points(&self) -> usize {
         (self.size[0] + 1) * (self.size[1] + 1)
     }
 }
@@ -112,14 +121,12 @@ impl Grids {
         let (start, count) = (self.levels.len(), segments.count());
         let splat = inlined!(|number: f64| f64x8::splat(simd, number));
         let lanes = f64x8::from_fn(simd, |lane| lane as f64);
-        // Lanes beyond the last point of a row repeat it.
-        let along = inlined!(|it: f64x8<S>| (it * 2.0 / count as f64 - 1.0).min(splat(1.0)));
         let (mut largest, mut steepest) = (splat(0.0), [0.0_f64; 2]);
         let [first, across] = [cells.first, two!(|axis| cells.size[axis] + 1)];
         for row in 0..across[1] {
-            let v = along(splat((first[1] + row) as f64));
+            let v = along(splat((first[1] + row) as f64), count);
             for column in (0..across[0]).step_by(8) {
-                let u = along(lanes + (first[0] + column) as f64);
+                let u = along(lanes + (first[0] + column) as f64, count);
                 let [red, green, blue] = levels([u, v]);
                 largest = largest.max(red.abs()).max(green.abs()).max(blue.abs());
                 let own = 0..8.min(across[0] - column);
@@ -133,26 +140,46 @@ impl Grids {
             steepest = two!(|axis| steepest[axis].max(largest_change(simd, changes[axis])));
         }
         self.faces.push(FaceGrid {
-            start,
             segments: count,
             cells,
+            lit: start..self.levels.len(),
             largest: largest.reduce_max(),
             steepest,
+            functions: Default::default(),
         });
         self.faces.len() as u32 - 1
     }
 
-    /// The grid at an index.
-    pub fn get(&self, index: u32) -> Grid<'_> {
+    /// Adds a grid without levels, for a face with few pixels: each of them lights the three points of its cell. Returns its index.
+    /// `functions` are those of [`Surface::levels_in_lanes`].
+    pub fn add_unlit(&mut self, segments: Segments, cells: Cells, functions: [Affine; 3]) -> u32 {
+        self.faces.push(FaceGrid {
+            segments: segments.count(),
+            cells,
+            lit: 0..0,
+            largest: f64::INFINITY,
+            steepest: [0.0; 2],
+            functions,
+        });
+        self.faces.len() as u32 - 1
+    }
+
+    /// The grid at an index; the surface is that of its face.
+    pub fn get<'a>(&'a self, index: u32, surface: Surface<'a>) -> Grid<'a> {
         let face = &self.faces[index as usize];
         Grid {
-            levels: &self.levels[face.start..face.start + face.cells.points()],
-            segments: face.segments,
-            cells: face.cells,
-            largest: face.largest,
-            steepest: face.steepest,
+            face,
+            levels: &self.levels[face.lit.clone()],
+            surface,
         }
     }
+}
+
+/// u or v of points of a grid. Points beyond the last one of a row repeat it.
+#[inline(always)]
+fn along<S: Simd>(points: f64x8<S>, segments: usize) -> f64x8<S> {
+    let one = f64x8::splat(points.token(), 1.0);
+    (points * 2.0 / segments as f64 - 1.0).min(one)
 }
 
 /// The largest change between numbers of two slices, as far as both go.
@@ -171,14 +198,9 @@ fn largest_change<S: Simd>(simd: S, [a, b]: [&[f64]; 2]) -> f64 {
 /// The grid of a face.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a> {
-    /// At the points of the cells that are seen, row by row.
+    pub(super) face: &'a FaceGrid,
     levels: &'a [[f64; 3]],
-    pub segments: usize,
-    cells: Cells,
-    /// The largest size of a level.
-    largest: f64,
-    /// The largest change of a level from a point to the next, along u and along v.
-    steepest: [f64; 2],
+    surface: Surface<'a>,
 }
 
 /// The rounding error of a place in f32, relative to the largest on the square: with the operations of
@@ -198,7 +220,7 @@ const LEVEL_ERROR: f64 = 9.0 * U;
 impl Grid<'_> {
     /// The cell in which a place of the grid lies, clamped to those that are seen.
     fn cell(&self, place: [f64; 2]) -> [usize; 2] {
-        let Cells { first, size } = self.cells;
+        let Cells { first, size } = self.face.cells;
         two!(|axis| {
             let last = first[axis] + size[axis] - 1;
             (place[axis].max(0.0) as usize).clamp(first[axis], last)
@@ -207,20 +229,37 @@ impl Grid<'_> {
 
     /// The index of the point at the lower left corner of a cell.
     fn point(&self, [i, j]: [usize; 2]) -> usize {
-        let Cells { first, size } = self.cells;
+        let Cells { first, size } = self.face.cells;
         (j - first[1]) * (size[0] + 1) + i - first[0]
     }
 
     /// The levels at a point (u, v), or at the nearest point of the face.
     pub fn at(&self, uv: [f64; 2]) -> DVec3 {
-        let place = uv.map(|u| (u + 1.0) * 0.5 * self.segments as f64);
-        let cell = self.cell(place);
-        let [s, t] = two!(|axis| (place[axis] - cell[axis] as f64).clamp(0.0, 1.0));
-        let (start, across) = (self.point(cell), self.cells.size[0] + 1);
-        let third = start + if s > t { 1 } else { across };
-        let points = [start, third, start + across + 1];
-        let [a, third, c] = points.map(|it| DVec3::from(self.levels[it]));
+        let place = uv.map(|u| (u + 1.0) * 0.5 * self.face.segments as f64);
+        let [i, j] = self.cell(place);
+        let [s, t] = [place[0] - i as f64, place[1] - j as f64].map(|it| it.clamp(0.0, 1.0));
+        let third = if s > t { [i + 1, j] } else { [i, j + 1] };
+        let [a, third, c] = self.levels_at([[i, j], third, [i + 1, j + 1]]);
         a * (1.0 - s.max(t)) + third * (s.max(t) - s.min(t)) + c * s.min(t)
+    }
+
+    /// The levels at three points, which are lit now if they are not yet.
+    fn levels_at(&self, points: [[usize; 2]; 3]) -> [DVec3; 3] {
+        if !self.levels.is_empty() {
+            return points.map(|point| DVec3::from(self.levels[self.point(point)]));
+        }
+        let uv = two!(|axis| {
+            let places = f64x8::from_fn(baseline(), |lane| points[lane % 3][axis] as f64);
+            along(places, self.face.segments)
+        });
+        let levels = self.surface.levels_in_lanes(&self.face.functions, uv);
+        three!(|point| DVec3::from(three!(|channel| levels[channel][point])))
+    }
+
+    /// How many points each pixel lights, and how many powers these take at most.
+    pub fn evaluations(&self) -> [usize; 2] {
+        let points = if self.levels.is_empty() { 3 } else { 0 };
+        [points, points * self.surface.powers()]
     }
 
     /// The rounding error of [`Grid::levels`], in levels. `largest` are the largest places that are counted from the origin.
@@ -228,8 +267,8 @@ impl Grid<'_> {
     /// Levels are continuous, and change by at most `steepest` a cell, so an error of a place costs that much of it.
     pub fn rounding(&self, largest: [f64; 2]) -> f64 {
         let [along_u, along_v] =
-            two!(|axis| (largest[axis] * PLACE_ERROR + U) * self.steepest[axis]);
-        along_u + along_v + self.largest * LEVEL_ERROR
+            two!(|axis| (largest[axis] * PLACE_ERROR + U) * self.face.steepest[axis]);
+        along_u + along_v + self.face.largest * LEVEL_ERROR
     }
 
     /// The levels at places of the grid, which are counted from `origin`, a point of it.
@@ -242,8 +281,8 @@ impl Grid<'_> {
     ) -> [f32x16<S>; 3] {
         let splat = inlined!(|number: f64| f32x16::splat(simd, number as f32));
         let [(i, s), (j, t)] = two!(|axis| {
-            let first = self.cells.first[axis] as f64 - origin[axis];
-            let last = first + self.cells.size[axis] as f64;
+            let first = self.face.cells.first[axis] as f64 - origin[axis];
+            let last = first + self.face.cells.size[axis] as f64;
             let [start, end] = [first, last].map(splat);
             // NaN, which lanes without a pixel may hold, becomes the first place.
             let place = places[axis].simd_gt(start).select(places[axis], start);
@@ -251,7 +290,7 @@ impl Grid<'_> {
             let cell = place.floor().min(splat(last - 1.0));
             (cell - start, place - cell)
         });
-        let across = self.cells.size[0] + 1;
+        let across = self.face.cells.size[0] + 1;
         let start = j * splat(across as f64) + i;
         let is_right = s.simd_gt(t);
         let third = start + is_right.select(splat(1.0), splat(across as f64));
@@ -282,9 +321,16 @@ mod tests {
 
     use super::super::running::{Rounded, at_corner, w_at_corner};
     use super::*;
-    use crate::shading::simd::baseline;
+    use crate::components::{Illumination, Material, PointLight};
 
     const CORNERS: [[f64; 2]; 4] = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+
+    static MATERIAL: Material = Material {
+        ambient: DVec3::ONE,
+        diffuse: DVec3::ONE,
+        specular: DVec3::ONE,
+        shininess: 5.0,
+    };
 
     /// A number from 0 to 1 that looks random.
     fn part(index: usize, step: f64) -> f64 {
@@ -299,6 +345,15 @@ mod tests {
             let levels: [DVec3; 8] = from_fn(|lane| level([u[lane], v[lane]]));
             three!(|channel| f64x8::from_fn(baseline(), |lane| levels[lane][channel]))
         })
+    }
+
+    /// The grid at an index, of a face without light.
+    fn get(grids: &Grids, index: u32) -> Grid<'_> {
+        static DARK: Illumination = Illumination {
+            ambient: DVec3::ZERO,
+            points: Vec::new(),
+        };
+        grids.get(index, Surface::new(&MATERIAL, &DARK, DVec3::ZERO))
     }
 
     /// Grids of these segments. The levels are up to 200 and differ by up to `bump` from a linear function.
@@ -327,7 +382,7 @@ mod tests {
                 _ => 5.0,
             })
         });
-        let grid = grids.get(index);
+        let grid = get(&grids, index);
         for ([u, v], level) in [
             ([0.0, 0.0], 0.0),
             ([1.0, 0.0], 8.0),
@@ -346,11 +401,43 @@ mod tests {
     }
 
     #[test]
+    fn a_pixel_lights_points_as_they_are_lit_in_advance() {
+        let mut grids = Grids::default();
+        let light = PointLight {
+            position: DVec3::new(0.3, 0.2, 1.5),
+            diffuse: DVec3::new(30.0, 60.0, 90.0),
+            specular: DVec3::splat(100.0),
+        };
+        let illumination = Illumination {
+            ambient: DVec3::ONE,
+            points: vec![light],
+        };
+        let surface = Surface::new(&MATERIAL, &illumination, DVec3::ZERO);
+        let functions = [
+            Affine::new(DVec3::ZERO, DVec3::X, DVec3::Y),
+            Affine::new(DVec3::Z, DVec3::X * 0.5, DVec3::Y * 0.5),
+            Affine::new(DVec3::Z * 3.0, -DVec3::X, -DVec3::Y),
+        ];
+        let segments = Segments::new(9).expect("it is legal");
+        let cells = Cells::around([[-0.4; 2], [1.0; 2]], segments);
+        let of_points = |uv| surface.levels_in_lanes(&functions, uv);
+        grids.add(baseline(), segments, cells, of_points);
+        grids.add_unlit(segments, cells, functions);
+        let [lit, unlit] = [0, 1].map(|index| grids.get(index, surface));
+        assert_eq!([lit, unlit].map(|it| it.evaluations()[0]), [0, 3]);
+        for number in 0..200 {
+            let uv = [0.618, 0.414].map(|step| 1.6 * part(number, step) - 0.5);
+            assert_eq!(lit.at(uv), unlit.at(uv), "{uv:?}");
+            assert!(lit.at(uv).x > 1.0, "{uv:?}");
+        }
+    }
+
+    #[test]
     fn levels_in_f32_are_as_near_as_their_bound_says() {
         let mut most = 0.0_f64;
         for segments in [2, 3, 16, 255, 256] {
             let grids = grids(segments, 40.0);
-            let grid = grids.get(0);
+            let grid = get(&grids, 0);
             for number in 0..400 {
                 // Some are beside the face, and some on points and diagonals.
                 let origin =
@@ -406,7 +493,7 @@ mod tests {
         for number in 0..300 {
             let segments = [2, 5, 40, 256][number % 4];
             let grids = grids(segments, 3.0 * part(number, 0.618));
-            let grid = grids.get(0);
+            let grid = get(&grids, 0);
             let count = f64::from(segments);
             // From just outside of the face.
             let least = [0.732, 0.236].map(|step| part(number, step) * count - 0.5);

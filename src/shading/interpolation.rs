@@ -97,12 +97,15 @@ pub fn sampled<S: Simd>(
 /// ```
 /// A thousandth is added, because each rounding enlarges the errors before it (`proofs/rows.v`).
 ///
-/// The exponent y of a highlight has the first nine, relative to the sum of the sizes of its own terms. They err by less than one
-/// (`MAX_FOURTH`), and make of 2^y at most as much times 2^y, which is below 1.3; the power of two errs by 4.3 U. So the size of a
-/// fourth channel with its term is that sum and one.
+/// A fourth channel with its term has the size F + 1, where F is the sum of the sizes of the channel's terms. For max(0, n.l) that is
+/// more than enough. The exponent y of a highlight errs by d <= 9 U F, which is below 1 (`MAX_FOURTH`). 2^y is below 1.3, 2^d is at
+/// most 1 + d, and the power of two errs by 4.3 U. So with the last five roundings 2^y errs by at most 1.3 (9 F + 4.3 + 5) U, which is
+/// less than 14 (F + 1) U.
 pub(super) const ROW_ERROR: f64 = 14.001 * U;
 
-/// The error of multiples of 1/256 level: four roundings to the nearest multiple, `proofs/fixed.g`.
+/// The error of multiples of 1/256 level: at most four roundings to the nearest multiple, `proofs/fixed.g`. In quadratic rows these
+/// are the constant, the sums over x and over y, and the sum with the fourth channel's term; in linear rows the levels at the start
+/// of a row, and their change along x.
 pub(super) const FIXED_ERROR: f64 = 2.0 / 256.0;
 
 /// The levels that multiples of 1/256 can hold without a clamp: with a half added they stay within 0..256.
@@ -151,7 +154,7 @@ impl<S: Simd> Interpolant<S> {
         let mut inside = rest.simd_gt(0.0);
         // A maximum may lose a NaN, so finiteness is tested on its own.
         let mut finite = inside;
-        // One for the term.
+        // See `ROW_ERROR`.
         let mut fourth = zero + 1.0;
         for [a, b, c] in terms[FOURTH] {
             fourth = fourth + a.abs() + b.abs() + c.abs();

@@ -2,13 +2,14 @@
 //! pixel, or at nine nodes of a square.
 //!
 //! ```text
-//!   on a square a light is       dark, n.l <= 0 all over      lit, n.l > 0 all over      crossing      unsure
-//!   its highlight is             drawn, in a polynomial or from its logarithm, or so faint that it is left out
+//!   on a square a light is       dark, n.l <= 0 all over; lit, n.l > 0 all over; or neither
+//!   its highlight is             drawn, or so faint that it is left out
 //!   levels                       ambient + sum of diffuse n.l + specular s^rho, where 1 - s = |r - o|^2 / 2
 //! ```
 //! The lights are classified once. If all errors together leave something of the tolerance, the square is interpolated
-//! through nine samples. Otherwise the same lights are evaluated at its pixels. Samples and pixels share one function,
-//! whose rounding errors [`super::rounding`] counts. For unit vectors 1 - s equals |r - o|^2 / 2, which loses no digits
+//! through nine samples. One light may have a fourth channel to itself: its n.l, if that crosses 0, or the logarithm of its
+//! highlight. Otherwise the same lights are evaluated at the pixels. Samples and pixels share one function, whose rounding
+//! errors [`super::rounding`] counts. For unit vectors 1 - s equals |r - o|^2 / 2, which loses no digits
 //! (Lyon 1993).
 //!
 //! f32 does not suffice where the sign of n.l is in doubt, because a highlight jumps there, and where |s| < 1/256 and 0 <
@@ -18,76 +19,26 @@
 //! All decisions depend on the face and on the square, but for the number of pixels from which bounds are computed: that counts
 //! four squares. The grid says which four belong together, so neither threads nor parts of a picture change a decision.
 
+mod light;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x16, f64x4, mask64x4};
 use glam::DVec3;
 
+use self::light::Budget;
+pub use self::light::FaceLight;
 use super::affine::Affine;
-use super::bound::{self, Reflection};
 use super::face::Face;
 use super::gloss::Gloss;
 use super::interpolation::{AMPLIFICATION, FOURTH, Interpolant, sampled};
 use super::lanes::{SquareSet, affine_at, dot, has};
+use super::limit;
 use super::moving::{Extents, MovingVector};
 use super::rounding::Rounding;
-use super::specular::{self, POWER_ERROR};
+use super::specular;
 use super::surface::Surface;
-use super::{U, limit};
 use crate::components::{Projection, unit};
-use crate::shading::simd::{four, inlined, three};
-
-/// A point light on a face, and on the squares prepared last.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct FaceLight {
-    /// w (L - P).
-    by_pixel: Affine,
-    /// The factors of n.l and s^rho, in levels.
-    diffuse: [f32; 3],
-    specular: [f32; 3],
-    /// The largest channel of each.
-    most: [f64; 2],
-    /// Where n.l may be above 0.
-    reaches: SquareSet,
-    /// Where its highlight is drawn.
-    shines: SquareSet,
-    /// Where it is the fourth channel: it shines and the logarithm of its highlight is interpolated, or else n.l crosses 0.
-    fourth: SquareSet,
-    /// `by_pixel`, scaled to length one at the middle of each square.
-    by_square: [Affine<[f32; 4]>; 3],
-    /// If |n.l| is smaller than this, f32 may have the wrong sign of n.l, on which the highlight depends.
-    doubt: [f32; 4],
-}
-
-impl FaceLight {
-    /// The interpolation error of its highlight, in levels, and the squares on which the logarithm is interpolated: those that
-    /// are free for it, where the rest of the tolerance suffices for the logarithm but not for the highlight itself. `chord` is
-    /// the rounding error of |r - o|, and the vectors are n, l and o.
-    #[inline(always)]
-    fn highlight_error<S: Simd>(
-        &self,
-        gloss: &Gloss,
-        vectors: [&MovingVector<S>; 3],
-        reflection: Reflection<S>,
-        chord: f64x4<S>,
-        [shines, is_free]: [mask64x4<S>; 2],
-        rest: f64x4<S>,
-    ) -> (f64x4<S>, mask64x4<S>) {
-        let power = bound::power(gloss.shininess, reflection.most);
-        // A highlight that is left out errs by its largest value.
-        let (mut error, mut bent) = (power, shines & is_free);
-        if shines.any_true() {
-            let drawn = bound::highlight_error(gloss, vectors, reflection, power);
-            error = shines.select(drawn, power);
-            bent &= (error * self.most[1]).simd_gt(rest);
-        }
-        if bent.any_true() {
-            let drawn = bound::logarithm_error(gloss, vectors, reflection, power, chord);
-            bent &= (drawn * self.most[1]).simd_lt(rest);
-            error = bent.select(drawn, error);
-        }
-        (error * self.most[1], bent)
-    }
-}
+use crate::shading::simd::{inlined, three};
 
 /// A face of an object, its lights and its normals; and the squares of it that were prepared last.
 pub struct Phong<'a> {
@@ -171,15 +122,14 @@ impl<'a> Phong<'a> {
         let terms = sampled(simd, possible, sample);
         let (mut factors, mut logarithms) = ([[0.0; 3]; 4], 0);
         for light in self.lights.iter() {
-            for square in (0..4).filter(|square| has(light.fourth, *square)) {
-                let shines = has(light.shines, square);
-                factors[square] = if shines {
-                    light.specular
-                } else {
-                    light.diffuse
-                };
+            for square in 0..4 {
+                if has(light.kink, square) {
+                    factors[square] = light.diffuse;
+                } else if has(light.logarithm, square) {
+                    factors[square] = light.specular;
+                }
             }
-            logarithms |= light.fourth & light.shines;
+            logarithms |= light.logarithm;
         }
         Some(Interpolant::new(terms, factors, logarithms, rest))
     }
@@ -190,69 +140,38 @@ impl<'a> Phong<'a> {
             .all(|light| light.doubt[index] == 0.0 && self.gloss.doubt == 0.0)
     }
 
-    /// Classifies the lights. Returns what remains of the tolerance on each square after the errors of interpolation, of missing
-    /// highlights and of samples, and at most 0 where an error has no bound. The compiler removes these errors where `interpolate`
-    /// is false.
+    /// Classifies the lights on squares, and decides where f32 suffices. Returns what remains of the tolerance for the rows of an
+    /// interpolated square: at most 0 where an error has no bound. Unless the caller uses it, the compiler removes its computation.
     #[inline(always)]
     fn classify<S: Simd>(&mut self, extents: &Extents<S>, interpolate: bool) -> f64x4<S> {
         let w = extents.affine(&self.face.plane.w);
         let simd = w.centre.token();
         let splat = inlined!(|number: f64| f64x4::splat(simd, number));
-        let (zero, none) = (splat(0.0), mask64x4::splat(simd, false));
-        let normal = MovingVector::new(&self.normal_by_pixel, extents);
-        let eye = MovingVector::new(&self.face.rays.to_eye, extents);
+        let normal = &MovingVector::new(&self.normal_by_pixel, extents);
+        let eye = &MovingVector::new(&self.face.rays.to_eye, extents);
         self.normal_by_square = normal.single();
         self.eye_by_square = eye.single();
         // A square with pixels that may be clamped to the face is not interpolated.
         let least_w = w.centre - w.dx.abs() - w.dy.abs();
         let steady = least_w.simd_gt(self.face.least_steady().max(0.0));
-        let mut bounded = steady & normal.is_direction_bounded() & eye.is_direction_bounded();
-        let mut rest = splat(self.tolerance);
-        let mut rounding = Rounding::new(&normal, &eye, self.surface.ambient().max_element());
-        let (mut left_out, mut has_fourth) = (zero, none);
+        let mut budget = Budget {
+            rest: splat(self.tolerance),
+            rounding: Rounding::new(normal, eye, self.surface.ambient().max_element()),
+            left_out: splat(0.0),
+            is_bounded: steady & normal.is_direction_bounded() & eye.is_direction_bounded(),
+            is_fourth_taken: mask64x4::splat(simd, !interpolate),
+        };
         let all_lit = mask64x4::splat(simd, self.surface.plane.is_some());
         self.shines = 0;
         for light in self.lights.iter_mut() {
-            let to_light = MovingVector::new(&light.by_pixel, extents);
-            let vectors = [&normal, &to_light, &eye];
-            let cosine_rounding = rounding.cosine(&to_light);
-            let (cosine, lit, dark) = bound::facing(&normal, &to_light, cosine_rounding * U);
-            let [lit, dark] = [lit | all_lit, dark & !all_lit];
-            let [mut shines, mut fourth] = [none; 2];
-            rounding.add(dark.select(zero, splat(light.most[0])), cosine_rounding);
-            let error = bound::cosine_error(&normal, &to_light) * light.most[0];
-            rest -= dark.select(zero, error);
-            if light.most[1] > 0.0 {
-                let reflection = bound::reflection(vectors, cosine);
-                shines = reflection.most.simd_gt(self.gloss.drawn_above) & !dark;
-                left_out += (shines | dark).select(zero, splat(self.gloss.faint));
-                let chord = rounding.chord(&to_light);
-                let error = self.gloss.propagated(chord) + POWER_ERROR;
-                rounding.add(shines.select(splat(light.most[1]), zero), error);
-                let known = [shines, lit & !has_fourth];
-                let (error, bent) =
-                    light.highlight_error(self.gloss, vectors, reflection, chord, known, rest);
-                rest -= dark.select(zero, error);
-                fourth = bent;
-            }
-            // A polynomial may carry the kink max(0, n.l) of one light. The highlight of that light must be left out: it jumps at
-            // n.l = 0, and no polynomial follows a jump.
-            let adds_nothing = mask64x4::splat(simd, light.most[0] == 0.0) & !shines;
-            let is_decided = lit | dark | adds_nothing;
-            fourth |= !(is_decided | shines | has_fourth);
-            has_fourth |= fourth;
-            bounded &= to_light.is_direction_bounded() & (is_decided | fourth);
-            light.reaches = (!dark).to_bitmask();
-            light.shines = shines.to_bitmask();
-            light.fourth = if interpolate { fourth.to_bitmask() } else { 0 };
-            light.by_square = to_light.single();
-            let doubt = (lit | !shines).select(zero, cosine_rounding * U);
-            light.doubt = four!(|square| doubt.as_array()[square] as f32);
+            light.classify(self.gloss, [normal, eye], extents, all_lit, &mut budget);
             self.shines |= light.shines;
         }
-        let rounding = rounding.total();
-        self.in_f32 = (steady & (rounding + left_out).simd_le(limit(self.tolerance))).to_bitmask();
-        bounded.select(rest - rounding * AMPLIFICATION, splat(-1.0))
+        let rounding = budget.rounding.total();
+        let error = rounding + budget.left_out;
+        self.in_f32 = (steady & error.simd_le(limit(self.tolerance))).to_bitmask();
+        let rest = budget.rest - rounding * AMPLIFICATION;
+        budget.is_bounded.select(rest, splat(-1.0))
     }
 
     /// The levels at points of a square, x and y from -1 to 1; and at nodes the fourth channel, whose light is left out of them.
@@ -286,11 +205,7 @@ impl<'a> Phong<'a> {
             let l = vector(&light.by_square);
             let inverse = 1.0 / (n2 * dot(&l, &l)).sqrt();
             let cosine = dot(&n, &l) * inverse;
-            let [is_fourth, shines] = [
-                are_nodes && has(light.fourth, square),
-                has(light.shines, square),
-            ];
-            if is_fourth && !shines {
+            if are_nodes && has(light.kink, square) {
                 levels[FOURTH] += cosine;
             } else if light.most[0] > 0.0 {
                 let lit = cosine.max(zero);
@@ -298,11 +213,11 @@ impl<'a> Phong<'a> {
                     levels[channel] += lit * light.diffuse[channel];
                 }
             }
-            if shines {
+            if has(light.shines, square) {
                 let twice = cosine + cosine;
                 let e = three!(|axis| n[axis] * twice - l[axis] * inverse - o[axis]);
                 let one_minus_cos = dot(&e, &e) * 0.5;
-                if is_fourth {
+                if are_nodes && has(light.logarithm, square) {
                     levels[FOURTH] += specular::exponent(self.gloss.shininess, one_minus_cos);
                 } else {
                     let power = specular::power(self.gloss.shininess, one_minus_cos);

@@ -60,8 +60,7 @@ impl<S: Simd> LinearRows<S> {
         let mut starts = [[0; MAX_SIDE]; 2];
         for first in (0..square.side).step_by(16) {
             let y = counted(simd, first) + top as f32;
-            // A half is added here once: then the byte is the whole part. Its rounding is within `FIXED_ERROR`: a ramp makes
-            // two of its three.
+            // With a half added, the byte is the whole part.
             let pairs = paired(three!(|channel| {
                 let [[middle, ..], [down, ..], _] = color[channel];
                 y * down as f32 + (middle + 0.5) as f32

@@ -129,12 +129,12 @@ impl Shader<'_> {
     /// Counts pixels that were evaluated on the square at `index`, and returns how.
     pub fn count(&self, index: usize, pixels: usize, counts: &mut Counts) -> SquareKind {
         let in_f32 = self.in_f32(index);
-        let (model, powers) = match self {
-            Shader::Gouraud(_) => (0, 0),
-            Shader::Phong(phong) if in_f32 => (1, phong.highlights(index).count()),
-            Shader::Phong(phong) => (1, phong.surface.powers()),
+        let [model, powers] = match self {
+            Shader::Gouraud(gouraud) => gouraud.evaluations(),
+            Shader::Phong(phong) if in_f32 => [1, phong.highlights(index).count()],
+            Shader::Phong(phong) => [1, phong.surface.powers()],
         };
-        counts.model_evaluations += model * pixels as u64;
+        counts.model_evaluations += (pixels * model) as u64;
         counts.specular_evaluations += (pixels * powers) as u64;
         if in_f32 {
             SquareKind::PerPixel

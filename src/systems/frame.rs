@@ -7,9 +7,9 @@ mod aligned;
 mod band;
 mod draw_list;
 
-use std::iter;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
+use std::{iter, mem};
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -164,7 +164,7 @@ impl Frame {
     }
 
     /// Allocates the buffers for these rows of a picture, unless they fit, and memory for `grids`: the number of cuboids that
-    /// have them, and that of their points. Resets the counts. With `several` cuboids the visible triangles are kept, too.
+    /// have them, and that of their points. Resets the counts. With `many_cuboids` the visible triangles are kept, too.
     ///
     /// # Errors
     /// If there is too little memory. The frame is then empty.
@@ -172,36 +172,22 @@ impl Frame {
         &mut self,
         size: [usize; 2],
         rows: Range<usize>,
-        several: bool,
+        many_cuboids: bool,
         grids: [usize; 2],
     ) -> Result<(), OutOfMemory> {
         self.counts = Counts::default();
-        let allocated = self.allocate(size, rows, several, grids);
-        if allocated.is_err() {
-            // The old picture must not be taken for the new one.
-            self.buffers = Buffers::default();
-        }
-        allocated
-    }
-
-    /// See [`Self::begin`].
-    fn allocate(
-        &mut self,
-        size: [usize; 2],
-        rows: Range<usize>,
-        several: bool,
-        grids: [usize; 2],
-    ) -> Result<(), OutOfMemory> {
+        // If there is too little memory, the old picture must not be taken for the new one.
+        let old = mem::take(&mut self.buffers);
         self.list.grids.reserve(grids)?;
         let shown = self.keep == Keep::Display;
         let wanted = |kept: bool| if kept { size[0] * rows.len() } else { 0 };
-        let [pixels, levels, triangles] = [shown, !shown, several || !shown].map(wanted);
-        let old = &self.buffers;
+        let [pixels, levels, triangles] = [shown, !shown, many_cuboids || !shown].map(wanted);
         if old.size == size && old.rows == rows && old.triangles.as_slice().len() == triangles {
+            self.buffers = old;
             return Ok(());
         }
         // The old buffers are given back before new ones are asked for.
-        self.buffers = Buffers::default();
+        drop(old);
         let needed = (pixels + triangles) * size_of::<u32>()
             + levels * (size_of::<[f32; 3]>() + size_of::<u8>());
         memory::check(size, needed)?;
@@ -263,7 +249,7 @@ impl Frame {
             _ => work(&mut self.scratch[0]),
         }
         for scratch in &mut self.scratch {
-            self.counts += std::mem::take(&mut scratch.counts);
+            self.counts += mem::take(&mut scratch.counts);
         }
     }
 }

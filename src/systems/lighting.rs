@@ -2,7 +2,8 @@
 //!
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed for cuboids
 //! with Gouraud shading: at the eight corners, with face normals at the four corners of each visible face, or with several
-//! segments at the points of each visible face whose cells may be seen, eight at a time. With flat shading they are those at
+//! segments at the points of each visible face whose cells may be seen, eight at a time. Points that are much denser than pixels
+//! are lit by the pixels that need them. With flat shading they are those at
 //! the middle of each visible face.
 
 use std::array::from_fn;
@@ -79,6 +80,9 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     }
 }
 
+/// With more points than this for a pixel, to light the three points of each pixel's own cell costs less.
+const MOST_POINTS: f64 = 6.0;
+
 /// A cuboid whose vertex colours are computed. Faces are given by their numbers.
 struct LitCuboid<'a> {
     transform: &'a WorldTransform,
@@ -115,6 +119,11 @@ impl LitCuboid<'_> {
             };
             let functions = self.on_face(face);
             let cells = Cells::around(self.shown(face, bounds), segments);
+            let [width, height] = [0, 1].map(|axis| bounds[1][axis] - bounds[0][axis]);
+            if cells.points() as f64 > MOST_POINTS * width * height {
+                indices[face / 2] = grids.add_unlit(segments, cells, functions);
+                continue;
+            }
             indices[face / 2] = dispatch!(level, simd => grids.add(
                 simd,
                 segments,

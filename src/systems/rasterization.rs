@@ -56,8 +56,8 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
     });
 }
 
-/// Clears the rows of a strip. Where pieces overlap in it, or the frame keeps ids, writes the id of the visible piece at each
-/// pixel.
+/// Clears the rows of a strip, and writes the id of the visible piece at each pixel: where pieces overlap in the strip, or the frame
+/// keeps ids.
 #[inline(always)]
 fn compare<S: Simd>(
     simd: S,
@@ -67,23 +67,10 @@ fn compare<S: Simd>(
     band: &mut Band,
     scratch: &mut Scratch,
 ) {
-    let several = list.objects.len() > 1;
-    let words = band.width.div_ceil(64);
-    scratch.covered.clear();
-    if several {
-        scratch.covered.resize(rows.len() * words, 0);
-    }
-    let overlaps = list.strip(strip).any(|piece| {
-        let spans = list.spans(piece);
-        spans.within(rows).any(|(row, span)| {
-            band.will_draw(row, &span, !several);
-            let first = (row - rows.start) * words;
-            several && set_bits(&mut scratch.covered[first..first + words], span)
-        })
-    });
+    let overlaps = find_overlap(list, strip, rows, band, &mut scratch.covered);
     band.clear(rows.clone(), overlaps);
+    let depths = &mut scratch.depths;
     if overlaps {
-        let depths = &mut scratch.depths;
         depths.resize(depths.len().max(rows.len() * band.width), FARTHEST);
     } else if band.levels.is_empty() {
         return;
@@ -98,7 +85,7 @@ fn compare<S: Simd>(
                 let x = span.start as f64 + 0.5 - lens.middle[0];
                 let y = row as f64 + 0.5 - lens.middle[1];
                 let start = (row - rows.start) * band.width;
-                let depths = &mut scratch.depths[start + span.start..start + span.end];
+                let depths = &mut depths[start + span.start..start + span.end];
                 write_nearest(simd, piece, &depth_key, [x, y], depths, ids);
                 band.drawn[row - band.rows.start].drew(&span);
             } else {
@@ -106,6 +93,34 @@ fn compare<S: Simd>(
             }
         }
     }
+}
+
+/// Whether pieces overlap in a strip. Those of one cuboid do not. Records the pixels that will be drawn: all of them if there is no
+/// overlap. `covered` is memory for a bit a pixel.
+#[inline(always)]
+fn find_overlap(
+    list: &DrawList,
+    strip: usize,
+    rows: &Range<usize>,
+    band: &mut Band,
+    covered: &mut Vec<u64>,
+) -> bool {
+    let has_many_objects = list.objects.len() > 1;
+    let words = band.width.div_ceil(64);
+    covered.clear();
+    if has_many_objects {
+        covered.resize(rows.len() * words, 0);
+    }
+    for piece in list.strip(strip) {
+        for (row, span) in list.spans(piece).within(rows) {
+            band.will_draw(row, &span, !has_many_objects);
+            let first = (row - rows.start) * words;
+            if has_many_objects && set_bits(&mut covered[first..first + words], span) {
+                return true;
+            }
+        }
+    }
+    false
 }
 
 /// Sets the bits of a span in a row of pixels. Returns whether one of them was set.

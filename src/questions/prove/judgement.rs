@@ -14,7 +14,7 @@ use crate::systems::frame::{Frame, display_pixel};
 const SHARE_OF_SQUARES: f64 = 0.25;
 
 /// The relative error of the difference of two levels and its bounds: far more than their few operations of f64 make.
-const ROUNDING: f64 = 1e-12;
+const F64_ROUNDING: f64 = 1e-12;
 
 /// A picture to be proven at several limits, and its enclosures.
 pub struct Judgement<'a, const COUNT: usize> {
@@ -40,7 +40,7 @@ impl<const COUNT: usize> Judgement<'_, COUNT> {
         Shown::at((y - self.first_row) * self.width + x, levels, display)
     }
 
-    /// Proves some rows, at most [`MAX_SIDE`](crate::reference::MAX_SIDE) of them: in squares, and the pixels that these leave
+    /// Proves some rows, at most [`MAX_ENCLOSED_SIDE`](crate::reference::MAX_ENCLOSED_SIDE) of them: in squares, and the pixels that these leave
     /// open by themselves.
     pub fn strip(&self, rows: &Range<usize>) -> [Proof; COUNT] {
         let mut is_open = vec![true; rows.len() * self.width];
@@ -167,7 +167,7 @@ impl<'a> DrawnRow<'a> {
         for channel in 0..3 {
             let [one, other] = [drawn, enclosed].map(|it| it[channel].clamp(0.0, 255.0));
             let (distance, error) = ((one - other).abs(), square.error[channel]);
-            let rounding = (distance + error) * ROUNDING;
+            let rounding = (distance + error) * F64_ROUNDING;
             let most = distance + error + rounding;
             // A level that is not a number has no error.
             if most.is_nan() || most > limit {

@@ -17,7 +17,7 @@ use crate::reference::{Interval, Real, Seen};
 use crate::systems::frame::{Frame, display_step};
 
 /// The largest distance of a level from its byte, in levels.
-pub(super) const ROUNDING: f64 = 0.5;
+pub(super) const BYTE_ROUNDING: f64 = 0.5;
 
 /// The judgement of a pixel, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -90,7 +90,7 @@ pub struct Shown {
     pub levels: [f64; 3],
     /// The bytes for a window; `None` if there are none to judge.
     pub bytes: Option<[u8; 3]>,
-    /// The largest rounding of the levels: `ROUNDING` if they are bytes, else 0.
+    /// The largest rounding of the levels: `BYTE_ROUNDING` if they are bytes, else 0.
     pub rounding: f64,
 }
 
@@ -114,7 +114,7 @@ impl Shown {
             face,
             levels: bytes.map(f64::from),
             bytes: Some(bytes),
-            rounding: ROUNDING,
+            rounding: BYTE_ROUNDING,
         };
         let judged = |face: &Option<usize>| {
             let (mark, [_, most]) = judge(of_face(*face), seen, limit);
@@ -163,18 +163,20 @@ pub(super) fn visible(seen: &[Seen<Interval>]) -> impl Iterator<Item = &Seen<Int
 pub fn judge(shown: Shown, seen: &[Seen<Interval>], limit: f64) -> (Mark, [f64; 2]) {
     let face = compared(shown.face, seen);
     let error = nearest(face, shown.levels, seen).unwrap_or([0.0, 255.0]);
-    let of_error = |error| Verdict::of(error, limit + shown.rounding);
-    let of_levels = if face == shown.face {
-        of_error(error)
+    let limit_of_levels = limit + shown.rounding;
+    let level_verdict = if face == shown.face {
+        Verdict::of(error, limit_of_levels)
+    } else if let Some(error) = nearest(shown.face, shown.levels, seen) {
+        // It shows a face that others hide.
+        Verdict::of(error, limit_of_levels).max(Verdict::Gap)
     } else {
-        let hidden = nearest(shown.face, shown.levels, seen);
-        hidden.map_or(Verdict::Refuted, |error| of_error(error).max(Verdict::Gap))
+        Verdict::Refuted
     };
     let same = seen.iter().filter(|seen| seen.face() == shown.face);
     let best = |bytes| same.map(|seen| Verdict::of_bytes(bytes, seen, limit)).min();
-    let of_bytes = shown.bytes.and_then(best).unwrap_or(of_levels);
+    let byte_verdict = shown.bytes.and_then(best);
     let mark = Mark {
-        verdict: of_levels.max(of_bytes),
+        verdict: level_verdict.max(byte_verdict.unwrap_or(level_verdict)),
         is_outline: visible(seen).any(|other| other.face() != face),
         is_covered: shown.face.is_some(),
     };

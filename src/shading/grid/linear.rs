@@ -31,15 +31,18 @@ impl Grid<'_> {
         corners: &[[f64; 2]; 4],
         tolerance: f64,
     ) -> Option<LinearCells> {
+        if self.levels.is_empty() {
+            return None;
+        }
         let first = self.cell(least);
         let size = two!(|axis| {
-            let last = self.cells.first[axis] + self.cells.size[axis];
+            let last = self.face.cells.first[axis] + self.face.cells.size[axis];
             (most[axis].max(0.0).ceil() as usize).clamp(first[axis] + 1, last) - first[axis]
         });
         let level =
             |i: usize, j: usize| DVec3::from(self.levels[self.point([first[0] + i, first[1] + j])]);
         let cells = Cells { first, size };
-        let is_inside = |axis: usize| 0.0 <= least[axis] && most[axis] <= self.segments as f64;
+        let is_inside = |axis: usize| 0.0 <= least[axis] && most[axis] <= self.face.segments as f64;
         if size == [1, 1] && is_inside(0) && is_inside(1) {
             let at = |[u, v]: [f64; 2]| level(usize::from(u > 0.0), usize::from(v > 0.0));
             return Some(LinearCells {

@@ -106,12 +106,13 @@ impl DrawList {
         indices.map(|&index| &self.pieces[index as usize])
     }
 
-    /// Cuts these rows of the picture into bands: one, or several that have at least the work of [`BAND`] pixels each.
-    pub fn cut(&mut self, rows: &Range<usize>, several: bool) {
+    /// Cuts these rows of the picture into bands: one, or with many threads several that have at least the work of
+    /// [`BAND`] pixels each.
+    pub fn cut(&mut self, rows: &Range<usize>, many_threads: bool) {
         self.cuts.clear();
         let mut work = 0;
         let strips = rows.start / MAX_SIDE..rows.end / MAX_SIDE;
-        for strip in strips.filter(|_| several) {
+        for strip in strips.filter(|_| many_threads) {
             let end = (strip + 1) * MAX_SIDE;
             let own = rows.start.max(end - MAX_SIDE)..end;
             for piece in self.strip(strip) {
@@ -139,7 +140,7 @@ mod tests {
     use super::*;
 
     /// The cuts of some rows of a picture of 96 rows, in which a piece covers so many pixels of each.
-    fn cuts(pixels: i32, rows: &Range<usize>, several: bool) -> Vec<usize> {
+    fn cuts(pixels: i32, rows: &Range<usize>, many_threads: bool) -> Vec<usize> {
         let piece = Piece {
             id: TriangleId(0),
             object: 0,
@@ -157,7 +158,7 @@ mod tests {
             ..DrawList::default()
         };
         list.sort(96);
-        list.cut(rows, several);
+        list.cut(rows, many_threads);
         list.cuts
     }
 

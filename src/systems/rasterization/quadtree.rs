@@ -84,12 +84,15 @@ impl DrawList {
             // A flat face is filled before; Gouraud between equal levels is the same.
             ShadingMode::Flat | ShadingMode::Gouraud => {
                 let source = match piece.grid {
-                    Some(grid) => Source::Grid(self.grids.get(grid), cells),
+                    Some(grid) => Source::Grid(self.grids.get(grid, surface), cells),
                     None => Source::Corners(corners),
                 };
                 Shader::Gouraud(Gouraud::new(face, source, tolerance))
             }
-            ShadingMode::Phong | ShadingMode::UnitVectors | ShadingMode::BlinnPhong => {
+            ShadingMode::UnitVectors | ShadingMode::BlinnPhong => {
+                unreachable!("`systems::draw` refuses what the reference alone draws")
+            }
+            ShadingMode::Phong => {
                 let gloss = &object.gloss;
                 Shader::Phong(Phong::new(
                     face,

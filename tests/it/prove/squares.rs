@@ -3,7 +3,7 @@
 use hecs::World;
 use shadetrade::components::{ShadingMode, TriangleId, View};
 use shadetrade::questions::prove::{nearest, shown};
-use shadetrade::reference::{Interval, MAX_SIDE, Real, Reference};
+use shadetrade::reference::{Interval, MAX_ENCLOSED_SIDE, Real, Reference};
 use shadetrade::scene::Scene;
 use shadetrade::systems::frame::Keep;
 
@@ -18,8 +18,8 @@ use crate::support::scene::{draw, view_from};
 fn compare(world: &World, view: &View, error: f64) -> (usize, f64) {
     let reference = Reference::<Interval>::new(world, view);
     let (mut pixels, mut share) = (0, 0.0_f64);
-    for start in (0..view.size[1]).step_by(MAX_SIDE) {
-        let strip = start..(start + MAX_SIDE).min(view.size[1]);
+    for start in (0..view.size[1]).step_by(MAX_ENCLOSED_SIDE) {
+        let strip = start..(start + MAX_ENCLOSED_SIDE).min(view.size[1]);
         for square in reference.squares(&strip, error) {
             for y in square.rows.clone() {
                 for (x, levels) in square.columns.clone().zip(square.row(y)) {

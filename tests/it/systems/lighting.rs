@@ -6,11 +6,13 @@ use shadetrade::components::{
     Illumination, Light, LightKind, Mesh, NormalMode, Normals, PointLight, Projection, Segments,
     ShadingMode, VertexColors, View,
 };
-use shadetrade::systems::frame::Frame;
+use shadetrade::questions::metrics::{Picture, compare};
+use shadetrade::shading::LIMIT_0;
+use shadetrade::systems::frame::{Frame, Keep};
 use shadetrade::systems::{lighting, projection};
 
 use super::{MATERIAL, ahead, at, empty_frame, light, place, read, signs};
-use crate::support::scene::spawn_cuboid;
+use crate::support::scene::{draw, shine, spawn_cuboid, truth};
 
 fn run(world: &mut World, view: &View) -> Frame {
     let mut frame = empty_frame();
@@ -114,7 +116,7 @@ fn grids_are_lit_only_for_faces_in_the_picture() {
             let segments = Segments::new(4).expect("it is legal");
             let components = (place(transform), normals, segments);
             world.insert(cuboid, components).expect("it was spawned");
-            let view = ahead(Projection::Orthographic, [8, 8]).shaded(ShadingMode::Gouraud);
+            let view = ahead(Projection::Orthographic, [80, 80]).shaded(ShadingMode::Gouraud);
             let evaluations = run(&mut world, &view).counts().model_evaluations;
             assert_eq!(evaluations, faces * 25, "{mode:?} at {centre:?}");
         }
@@ -139,12 +141,35 @@ fn of_a_grid_only_the_points_of_cells_in_the_picture_are_lit() {
         let segments = Segments::new(256).expect("it is legal");
         let components = (place(transform), normals, segments);
         world.insert(cuboid, components).expect("it was spawned");
-        let view = ahead(Projection::Orthographic, [8, 8]).shaded(ShadingMode::Gouraud);
+        let view = ahead(Projection::Orthographic, [80, 80]).shaded(ShadingMode::Gouraud);
         let evaluations = run(&mut world, &view).counts().model_evaluations;
         assert!(
             (least..=most).contains(&evaluations),
             "{evaluations} at {centre:?}"
         );
+    }
+}
+
+#[test]
+fn pixels_light_the_points_of_their_cells_where_these_are_smaller_than_pixels() {
+    // A cube of two units, on a picture 20 units wide and high.
+    for (side, is_dense) in [(10, true), (400, true), (1100, false)] {
+        let mut world = World::new();
+        spawn_cuboid(&mut world, DVec3::splat(2.0), at(DVec3::ZERO), MATERIAL);
+        shine(&mut world, LightKind::Specular, 200.0, dvec3(3.0, 2.0, 9.0));
+        let view = View {
+            segments: Segments::new(256),
+            ..ahead(Projection::Orthographic, [side; 2]).shaded(ShadingMode::Gouraud)
+        };
+        let frame = draw(&mut world, &view, Keep::Levels);
+        let (counts, points) = (frame.counts(), 257 * 257);
+        let pixels = counts.covered_pixels;
+        assert_eq!(pixels, (side / 10).pow(2) as u64);
+        let expected = if is_dense { 3 * pixels } else { points };
+        assert_eq!(counts.model_evaluations, expected, "{side}");
+        let exact = truth(&world, &view);
+        let error = compare(Picture::from(&frame), Picture::from(&exact)).error;
+        assert!(error.expect("a cube is there").max < LIMIT_0, "{side}");
     }
 }
 
