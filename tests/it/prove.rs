@@ -12,14 +12,10 @@ mod search;
 mod segments;
 mod squares;
 
-use fearless_simd::Level;
-use hecs::World;
-use shadetrade::components::View;
-use shadetrade::output::Monitor;
 use shadetrade::questions::prove::{Proof, prove};
 use shadetrade::reference::{Interval, Reference, Rule, Seen};
 
-use crate::support::scene::done;
+use crate::support::prelude::*;
 
 /// The proof of the renderer's picture.
 pub fn proof(world: &mut World, view: &View) -> Proof {

@@ -12,7 +12,6 @@ mod projection;
 mod rasterization;
 mod spin;
 
-use glam::dvec3;
 use hecs::Entity;
 
 use crate::support::prelude::*;
@@ -57,10 +56,4 @@ fn light(kind: LightKind, levels: f64) -> Light {
 /// A component of an entity.
 fn read<C: hecs::Component + Copy>(world: &World, entity: Entity) -> C {
     *world.get::<&C>(entity).expect("the entity has it")
-}
-
-/// The signs of a corner's coordinates.
-fn signs(corner: usize) -> DVec3 {
-    let sign = |bit: usize| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
-    dvec3(sign(0), sign(1), sign(2))
 }

@@ -2,32 +2,24 @@
 //!
 //! `SHADETRADE_EXTREMES=full` draws larger pictures.
 
-use fearless_simd::Level;
-use glam::DVec3;
 use serde_json::Value;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{LightKind, Projection, Segments, View};
-use shadetrade::output::{CANCELLED, Monitor, finished};
+use shadetrade::output::CANCELLED;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::displayed;
 use shadetrade::questions::prove::Verdict::{self, Proven, Refuted};
-use shadetrade::questions::vary::export;
 use shadetrade::questions::vary::picture::{
     Compared, Contender, Error, REFERENCE, TEXTBOOK, errors,
 };
 use shadetrade::questions::vary::variable::Variable;
-use shadetrade::questions::vary::{Curve, Panel, Point, Report, Request, measure};
+use shadetrade::questions::vary::{Curve, Panel, Point, Report, Request, export, measure};
 use shadetrade::scene::key::Key;
-use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::shading::{LIMIT_0, Method};
-use shadetrade::systems::frame::Keep;
+use shadetrade::shading::LIMIT_0;
 
 use crate::cli;
 use crate::extremes::is_full;
-use crate::support::cases::{cases, values as cases_of};
+use crate::support::prelude::*;
 use crate::support::random_scene::case;
-use crate::support::records;
-use crate::support::scene::{built_in_record, done, draw, truth};
 
 const SIZE: [usize; 2] = [40, 30];
 
@@ -282,7 +274,7 @@ fn ends_in_random_scenes_hold_on_both_sides_before_an_independent_judge() {
     ];
     let gouraud = Method::of(Gouraud, 0.5);
     let mut ends = 0;
-    for case in cases_of(&case(Gouraud), cases(6)) {
+    for case in values(&case(Gouraud), cases(6)) {
         let record = case.record(0.5);
         let key = Key::from(keys[case.seed as usize % keys.len()]);
         let variable = Variable::around(key, &record).expect("a number");
@@ -375,11 +367,7 @@ fn a_cancelled_work_ends() {
     let record = built_in_record();
     let variable = variable("light.white.intensity=1..2", &record);
     let request = request(&record, variable, 2);
-    let monitor = Monitor {
-        is_cancelled: &|| true,
-        ..Monitor::NONE
-    };
-    let error = finished(measure(&request, monitor)).expect_err("it is cancelled");
+    let error = finished(measure(&request, CANCEL)).expect_err("it is cancelled");
     assert_eq!(error.to_string(), CANCELLED);
 }
 
@@ -401,132 +389,48 @@ fn a_lamp_above_a_face_errs_as_on_paper() {
     }
 }
 
-/// A number of a scene, and a way to change the scene by it.
-type Sweep = (&'static str, [f64; 2], fn(&mut SceneRecord, f64));
-
-/// Ranges over which f32 or f64 does not always keep the tolerance. Where a number would take the cuboid out of the picture,
-/// the camera follows.
-const SWEEPS: [Sweep; 4] = [
-    ("shininess", [1e-3, 1e6], set_shininess),
-    ("edge length", [1e-97, 1e97], set_edge),
-    ("distance from the origin", [1.0, 1e15], move_from_origin),
-    ("distance of the eye", [1e-9, 1e15], move_eye),
-];
-
-/// Moves the cuboid, the lights and the camera.
-fn change_places(scene: &mut SceneRecord, change: impl Fn(DVec3) -> DVec3) {
-    let lights = scene.light.iter_mut();
-    let camera = &mut scene.camera[0];
+/// The scene with all lengths multiplied, and moved away from the origin.
+fn moved(mut scene: SceneRecord, scale: f64, far: f64) -> SceneRecord {
+    let shift = DVec3::new(far, -0.5 * far, 0.25 * far);
+    let (cuboid, camera) = (&mut scene.cuboid[0], &mut scene.camera[0]);
+    cuboid.size *= scale;
+    camera.height *= scale;
+    let lights = scene.light.iter_mut().filter_map(|it| it.position.as_mut());
     let others = [
-        &mut scene.cuboid[0].position,
+        &mut cuboid.position,
         &mut camera.position,
         &mut camera.target,
     ];
-    for place in lights.filter_map(|it| it.position.as_mut()).chain(others) {
-        *place = change(*place);
+    for place in lights.chain(others) {
+        *place = *place * scale + shift;
     }
-}
-
-/// Adds a light with its mirror image in the face z = 1, and looks at its highlight, which is 1 / sqrt(shininess) wide.
-fn set_shininess(scene: &mut SceneRecord, shininess: f64) {
-    scene.cuboid[0].material.shininess = shininess;
-    let camera = &mut scene.camera[0];
-    let point = DVec3::new(1.1, 0.7, 1.0);
-    let normal = (point / DVec3::new(2.0, 1.5, 1.0)).normalize();
-    let to_eye = (camera.position - point).normalize();
-    let place = point + 9.0 * (2.0 * normal.dot(to_eye) * normal - to_eye);
-    let mirrored = records::light("mirrored", LightKind::Specular, 255.0, place.to_array());
-    scene.light.push(mirrored);
-    camera.target = point;
-    camera.fov /= shininess.sqrt().max(1.0);
-}
-
-/// Lights and eye follow. The longest edge is 4 units long.
-fn set_edge(scene: &mut SceneRecord, edge: f64) {
-    scene.cuboid[0].size *= edge / 4.0;
-    scene.camera[0].height *= edge / 4.0;
-    change_places(scene, |place| place * (edge / 4.0));
-}
-
-fn move_from_origin(scene: &mut SceneRecord, far: f64) {
-    let shift = DVec3::new(far, -0.5 * far, 0.25 * far);
-    change_places(scene, |place| place + shift);
-}
-
-/// The farther the eye, the narrower the lens.
-fn move_eye(scene: &mut SceneRecord, distance: f64) {
-    let camera = &mut scene.camera[0];
-    camera.target = DVec3::new(0.1, 0.2, 1.0);
-    camera.position = camera.target + DVec3::new(0.48, 0.36, 0.8) * distance;
-    camera.fov = 2.0 * (3.0 / distance).atan().to_degrees().min(30.0);
-}
-
-/// The errors of Phong at a value: by the formula in f32, by the renderer at tolerance 0 and 0.5.
-fn swept(set: fn(&mut SceneRecord, f64), value: f64) -> [[f64; 2]; 3] {
-    let mut record = scene(include_str!("../../assets/stability/scene.toml"));
-    set(&mut record, value);
-    record.check().expect("a legal scene");
-    let renderer = [0.0, 0.5].map(|tolerance| Contender::from(Method::of(Phong, tolerance)));
-    let size = if is_full() { [128, 96] } else { [16, 12] };
-    let contenders = [TEXTBOOK, renderer[0], renderer[1]];
-    let found = drawn_errors(&record, size, &contenders);
-    [0, 1, 2].map(|index| found[index].error)
-}
-
-/// Values from end to end: three a decade, one where there are many.
-fn values([first, last]: [f64; 2]) -> Vec<f64> {
-    let decades = (last / first).log10();
-    let steps = (decades * if decades > 24.0 { 1.0 } else { 3.0 }).ceil();
-    let value = |step: u32| first * 10.0_f64.powf(decades * f64::from(step) / steps);
-    (0..=steps as u32)
-        .map(value)
-        .map(|it| it.clamp(first, last))
-        .collect()
-}
-
-#[test]
-fn the_renderer_keeps_its_limit_wherever_f64_can_decide() {
-    for (number, range, set) in SWEEPS {
-        // At this distance of the eye f64 cannot tell where a line of sight hits.
-        let most = if number == "distance of the eye" {
-            1e10
-        } else {
-            f64::INFINITY
-        };
-        for value in values(range).into_iter().filter(|value| *value <= most) {
-            let [_, exact, half] = swept(set, value);
-            assert!(exact[1] <= LIMIT_0, "{number} {value}: {exact:?}");
-            assert!(half[1] <= 0.5, "{number} {value}: {half:?}");
-        }
-    }
+    scene.check().expect("a legal scene");
+    scene
 }
 
 /// f32 has 24 bits, and a range from 1e-45 to 3e38.
 #[test]
-fn f32_is_right_for_ordinary_numbers_and_fails_where_paper_predicts() {
-    for (number, ends, verdict) in [
-        ("shininess", [1e-3, 30.0], Proven),
-        ("edge length", [0.1, 1e3], Proven),
-        ("distance from the origin", [1.0, 10.0], Proven),
-        ("distance of the eye", [3.0, 30.0], Proven),
-        // The last place of 1e8 in f32 is eight world units.
-        ("distance from the origin", [1e8, 1e15], Refuted),
-        // The square of a length overflows.
-        ("edge length", [1e20, 1e97], Refuted),
-        // The square of a length underflows to 0.
-        ("edge length", [1e-97, 1e-24], Refuted),
-        // The slope of the power is rho, and s has an error of 6e-8.
-        ("shininess", [1e6, 1e6], Refuted),
+fn f32_fails_where_paper_predicts_and_the_renderer_nowhere() {
+    let size = if is_full() { [128, 96] } else { [16, 12] };
+    let scene = scene(include_str!("../../assets/stability/scene.toml"));
+    let renderer = [0.0, 0.5].map(|tolerance| Contender::from(Method::of(Phong, tolerance)));
+    let contenders = [TEXTBOOK, renderer[0], renderer[1]];
+    for (scales, fars, verdict) in [
+        ([0.025, 1.0, 250.0], [0.0; 3], Proven),
+        ([1.0; 3], [1.0, 3.0, 10.0], Proven),
+        // The last place of 1e8 in f32 is eight units.
+        ([1.0; 3], [1e8, 1e11, 1e15], Refuted),
+        // The square of a length overflows, or underflows to 0.
+        ([1e20, 1e40, 1e96], [0.0; 3], Refuted),
+        ([1e-25, 1e-40, 1e-97], [0.0; 3], Refuted),
     ] {
-        let sweep = SWEEPS.iter().find(|it| it.0 == number);
-        let (_, range, set) = sweep.expect("it is swept");
-        let mut within = values(*range);
-        within.retain(|it| (ends[0]..=ends[1]).contains(it));
-        assert!(!within.is_empty(), "{number}");
-        for value in within {
-            let [textbook, ..] = swept(*set, value);
-            let found = Verdict::of(textbook, LIMIT_0);
-            assert_eq!(found, verdict, "{number} {value}: {textbook:?}");
+        for (scale, far) in scales.into_iter().zip(fars) {
+            let record = moved(scene.clone(), scale, far);
+            let found = drawn_errors(&record, size, &contenders);
+            let [textbook, exact, half] = [0, 1, 2].map(|it| found[it].error);
+            let what = format!("{scale}, {far}: {textbook:?}, {exact:?}, {half:?}");
+            assert_eq!(Verdict::of(textbook, LIMIT_0), verdict, "{what}");
+            assert!(exact[1] <= LIMIT_0 && half[1] <= 0.5, "{what}");
         }
     }
 }

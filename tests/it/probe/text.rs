@@ -1,13 +1,12 @@
 //! What the probe says in words and in rows: the cause of a difference, and the page on which it is worked out.
 
-use glam::DVec3;
-use shadetrade::components::{LightKind, NormalMode, Projection, Segments, ShadingMode, View};
 use shadetrade::questions::probe::Probe;
 use shadetrade::reference::LightSample;
-use shadetrade::scene::{BUILT_IN, Scene, SceneRecord};
+use shadetrade::scene::BUILT_IN;
 use shadetrade::systems::frame::display_step;
 
 use super::{at, surface_of};
+use crate::support::prelude::*;
 
 #[test]
 fn the_cause_is_that_of_the_light_that_differs_most() {

@@ -1,15 +1,11 @@
 //! The cause of a wrong picture is named where it is proven, and never otherwise.
 
-use glam::DVec3;
 use shadetrade::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
-use shadetrade::components::{NormalMode, View};
-use shadetrade::output::Monitor;
 use shadetrade::questions::prove::causes;
-use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::systems::frame::{Keep, display_pixel};
+use shadetrade::systems::frame::display_pixel;
 
 use super::judged;
-use crate::support::scene::{changed, done, draw, truth};
+use crate::support::prelude::*;
 
 const SIZE: [usize; 2] = [80, 60];
 

@@ -1,16 +1,11 @@
 //! Squares of pixels that are enclosed at once: their enclosures hold those of each pixel by itself.
 
-use hecs::World;
-use shadetrade::components::{ShadingMode, TriangleId, View};
 use shadetrade::questions::prove::{nearest, shown};
 use shadetrade::reference::{Interval, MAX_ENCLOSED_SIDE, Real, Reference};
-use shadetrade::scene::Scene;
-use shadetrade::systems::frame::Keep;
 
 use super::{enclosures, proof};
-use crate::support::cases::{cases, values};
+use crate::support::prelude::*;
 use crate::support::random_scene::case;
-use crate::support::scene::{draw, view_from};
 
 /// Asserts that every pixel of the squares with at most this error shows one surface, and that its levels lie within those of its
 /// square. Returns the number of such pixels, and the largest distance of a level from the middle of its square's enclosure, as

@@ -1,47 +1,18 @@
 //! Lighting: the illumination of a frame, and the model at the vertices.
 
-use glam::{DMat3, DVec3, dvec3};
-use hecs::World;
-use shadetrade::components::{
-    Illumination, Light, LightKind, Mesh, NormalMode, Normals, PointLight, Projection, Segments,
-    ShadingMode, VertexColors, View,
-};
+use glam::{DMat3, dvec3};
 use shadetrade::questions::metrics::{Picture, compare};
 use shadetrade::shading::LIMIT_0;
-use shadetrade::systems::frame::{Frame, Keep};
 use shadetrade::systems::{lighting, projection};
 
-use super::{MATERIAL, ahead, at, empty_frame, light, place, read, signs};
-use crate::support::scene::{draw, shine, spawn_cuboid, truth};
+use super::{MATERIAL, ahead, at, empty_frame, light, place, read};
+use crate::support::prelude::*;
 
 fn run(world: &mut World, view: &View) -> Frame {
     let mut frame = empty_frame();
     projection::run(world, view, &mut frame);
     lighting::run(world, view, &mut frame);
     frame
-}
-
-/// The colours at the corners of an upright cube of two units under these lights, and the frame. All positions are relative
-/// to the cube's centre.
-fn cube(lights: &[(DVec3, Light)], view: &View) -> ([DVec3; 8], Frame) {
-    let mut world = World::new();
-    let centre = dvec3(5.0, -6.0, 7.0);
-    let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), at(centre), MATERIAL);
-    let third = 1.0 / 3.0_f64.sqrt();
-    let normals = Normals::Corner(std::array::from_fn(|corner| signs(corner) * third));
-    let derived = (place(at(centre)), normals);
-    world.insert(cuboid, derived).expect("it was spawned");
-    for (position, light) in lights {
-        world.spawn((at(centre + *position), *light));
-    }
-    let mut view = *view;
-    view.camera.position += centre;
-    view.camera.target += centre;
-    let frame = run(&mut world, &view);
-    let VertexColors::Corner(colors) = read(&world, cuboid) else {
-        panic!("the normals are those of corners");
-    };
-    (colors, frame)
 }
 
 #[test]
@@ -170,22 +141,5 @@ fn pixels_light_the_points_of_their_cells_where_these_are_smaller_than_pixels() 
         let exact = truth(&world, &view);
         let error = compare(Picture::from(&frame), Picture::from(&exact)).error;
         assert!(error.expect("a cube is there").max < LIMIT_0, "{side}");
-    }
-}
-
-#[test]
-fn only_a_cuboid_under_gouraud_has_vertex_colours() {
-    // The cuboid's own mode is Phong, which the view overrides. kA is 0.1.
-    let lights = [(DVec3::ZERO, light(LightKind::Ambient, 200.0))];
-    for (mode, expected, evaluations) in [
-        (None, 0.0, 0),
-        (Some(ShadingMode::Phong), 0.0, 0),
-        (Some(ShadingMode::Gouraud), 20.0, 8),
-    ] {
-        let mut view = ahead(Projection::Perspective, [8, 8]);
-        view.shading = mode;
-        let (colors, frame) = cube(&lights, &view);
-        assert_eq!(colors, [DVec3::splat(expected); 8], "{mode:?}");
-        assert_eq!(frame.counts().model_evaluations, evaluations, "{mode:?}");
     }
 }

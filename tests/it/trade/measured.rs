@@ -3,26 +3,19 @@
 use std::sync::Mutex;
 use std::time::Duration;
 
-use fearless_simd::Level;
-use glam::DVec3;
 use shadetrade::cli::options::BudgetOption;
 use shadetrade::components::ShadingMode::Phong;
-use shadetrade::components::{
-    Background, Light, LightKind, Material, Viewer, overwrite, viewer_mut,
-};
-use shadetrade::output::{CANCELLED, Monitor, finished, json};
+use shadetrade::output::{CANCELLED, json};
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::trade::timing::{MIN_SAMPLES, Timing};
 use shadetrade::questions::trade::{
     self, Measured, Measurement, Report, Request, accuracy, batch, export, measure, plot,
 };
-use shadetrade::scene::SceneRecord;
-use shadetrade::shading::{METHODS, Method};
-use shadetrade::systems::frame::Keep;
+use shadetrade::shading::METHODS;
 
 use super::contract;
-use crate::support::scene::{changed, done, draw, truth};
+use crate::support::prelude::*;
 
 /// A request to measure the default scene after a change, as briefly as possible.
 fn request(size: [usize; 2], threads: usize, change: impl FnOnce(&mut SceneRecord)) -> Request {
@@ -144,11 +137,7 @@ fn known_errors_and_the_timing_with_more_samples_are_kept() {
     assert!(again[1].timing.samples >= MIN_SAMPLES && again[1].timing.median > 0.0);
     assert_eq!([again[0].error, again[1].error], [error; 2]);
     assert!(again[2].largest_error().is_some_and(|error| error <= 255.0));
-    let cancelled = Monitor {
-        is_cancelled: &|| true,
-        ..Monitor::NONE
-    };
-    let error = measure(&known, cancelled).expect_err("it is cancelled");
+    let error = measure(&known, CANCEL).expect_err("it is cancelled");
     assert_eq!(error.to_string(), CANCELLED);
 }
 
@@ -220,12 +209,7 @@ fn views_with_little_or_nothing_to_measure_have_a_report() {
     // Without light or colour all methods draw the same black.
     let unlit: fn(&mut SceneRecord) = |record| record.light.clear();
     let black: fn(&mut SceneRecord) = |record| {
-        record.cuboid[0].material = Material {
-            ambient: DVec3::ZERO,
-            diffuse: DVec3::ZERO,
-            specular: DVec3::ZERO,
-            shininess: 1.0,
-        };
+        record.cuboid[0].material = grey([0.0; 3], 1.0);
     };
     for change in [unlit, black] {
         let report = measured(&request([32, 24], 1, change));
