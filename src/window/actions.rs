@@ -152,10 +152,7 @@ impl App {
         let (size, rows) = (self.canvas.size(), self.canvas.rows());
         self.viewer_mut().set_pixel(pixel, size, rows);
         self.desk.awaits_worst = false;
-        // The scene's numbers stay: a click selects the cuboid there.
-        if self.desk.is_open(Tab::Scene) && !self.desk.is_high {
-            self.desk.say("\"Numbers\" explains it");
-        } else if !self.desk.is_open(Tab::Pixel) {
+        if !self.desk.is_open(Tab::Pixel) {
             self.desk.open(Tab::Pixel);
         }
     }

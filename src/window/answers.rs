@@ -7,7 +7,7 @@ use super::app::App;
 use super::document::Document;
 use super::facts::change;
 use super::study::Subject;
-use crate::components::{Mesh, viewer};
+use crate::components::viewer;
 
 impl App {
     /// Draws the present picture, and asks the questions about it.
@@ -64,15 +64,6 @@ impl App {
         let is_new = self.study.receive(now);
         let failure = self.study.take_failure();
         self.desk.say_any(failure);
-        let is_known = self.study.facts.section.is_current;
-        let clicked = self.probed().filter(|_| is_known && self.desk.has_clicked);
-        if let Some(probe) = clicked {
-            let object = probe.surface.as_ref().map(|it| it.object.clone());
-            self.desk.has_clicked = false;
-            let world = &self.document.scene.world;
-            self.desk
-                .select::<Mesh>(world, "cuboid", &object.unwrap_or_default());
-        }
         if is_new && std::mem::take(&mut self.desk.awaits_worst) {
             self.explain_worst();
         }

@@ -195,14 +195,9 @@ pub fn show_all(world: &mut World, size: [usize; 2]) -> Option<String> {
     let orbit = get::<Orbit>(world, active_camera(world));
     let turned = std::mem::take(&mut viewer_mut(world).turned);
     change_orbit(world, "", |_| Orbit::default());
-    step_back(world, size);
+    while !shows_all(world, &View::of(world, size)) && zoom(world, -1).is_none() {}
     let is_same = turned == 0 && get::<Orbit>(world, active_camera(world)) == orbit;
     is_same.then(|| "the view is reset".to_owned())
-}
-
-/// Moves the camera away until a picture of `size` pixels shows all cuboids.
-pub fn step_back(world: &mut World, size: [usize; 2]) {
-    while !shows_all(world, &View::of(world, size)) && zoom(world, -1).is_none() {}
 }
 
 /// Changes the orbit of the active camera. If nothing changes, `limit` was reached.

@@ -47,8 +47,6 @@ pub struct Desk {
     pub file_error: Option<String>,
     /// The entity whose numbers are shown.
     pub selected: Option<EntityPlace>,
-    /// Whether a click waits until it is known which cuboid it shows. That one is selected then.
-    pub has_clicked: bool,
     /// The divider before it was moved off the worst pixel.
     pub divider: Option<f64>,
     /// Whether the worst pixel is explained as soon as it is known.

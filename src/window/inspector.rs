@@ -2,7 +2,6 @@
 //! model, the proof, a number that is varied.
 
 mod pixel;
-mod row;
 mod scene;
 mod vary;
 mod view;
@@ -79,7 +78,7 @@ pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
         Tab::Scene => {
             file_rows(ui, document, desk);
             ui.separator();
-            scene::tab(ui, document, canvas, desk);
+            scene::tab(ui, document, desk);
         }
         Tab::Pixel => pixel::tab(ui, world, canvas, study),
         Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),

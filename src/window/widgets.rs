@@ -9,7 +9,6 @@ use egui::{
     vec2,
 };
 use egui_plot::Plot;
-use glam::DVec3;
 use hecs::World;
 
 use super::desk::Desk;
@@ -184,17 +183,6 @@ pub fn slider(
         }
         ui.weak(keys);
     });
-}
-
-/// A button with a colour whose click opens a picker; channels are shares of full strength.
-pub fn color_button(ui: &mut Ui, channels: &mut DVec3) {
-    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let mut bytes = channels.to_array().map(byte);
-    let button = ui.color_edit_button_srgb(&mut bytes);
-    let says = "Colour; each channel is a share of full strength.";
-    if button.on_hover_text(says).changed() {
-        *channels = DVec3::from(bytes.map(|it| f64::from(it) / 255.0));
-    }
 }
 
 /// Lays out a text, with room for the longest of several.

@@ -7,7 +7,7 @@ use egui_plot::{GridInput, GridMark, HLine, Line, LineStyle, Plot, VLine};
 use hecs::World;
 
 use super::Tab;
-use super::row::ANY;
+use super::scene::ANY;
 use crate::components::{Mesh, Side, names};
 use crate::output::chart::ticks;
 use crate::output::words::capital;

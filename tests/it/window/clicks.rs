@@ -75,19 +75,16 @@ fn editor() -> Window {
 #[test]
 fn a_text_is_selected_and_copied_in_steps_with_clicks() {
     let mut window = editor();
-    let field = window.with_widgets(SIZE, |it| {
-        let field = it.get_all_by_role(Role::TextInput).last();
-        field.expect("the name of the cuboid").rect()
+    let number = window.with_widgets(SIZE, |it| {
+        let number = it.get_all_by_role(Role::SpinButton).next();
+        number.expect("the width of the cuboid").rect().center()
     });
-    let [first, last] = [0.02, 0.98].map(|share| field.lerp_inside([share, 0.5]));
-    window.click(first);
+    // A number that is clicked is a text, all of which is selected.
+    tap(&mut window, number);
     window.wait(PAUSE);
-    window.modifiers = Modifiers::SHIFT;
-    tap(&mut window, last);
-    window.modifiers = Modifiers::NONE;
     let click = events(&window, Pos2::new(1.0, 1.0));
     window.step([vec![Event::Copy], click].concat());
-    assert_eq!(window.output.copied.as_deref(), Some("emerald"));
+    assert_eq!(window.output.copied.as_deref(), Some("4"));
 }
 
 #[test]

@@ -5,15 +5,14 @@ use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use glam::DVec3;
-use shadetrade::components::{Light, Projection, Viewer, names};
+use shadetrade::components::{Projection, Viewer};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
 use shadetrade::window::desk::Desk;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{Action, BINDINGS};
 
-use super::{PAUSE, Window, click_at, default_record, drag, press, widgets_of};
+use super::{PAUSE, Window, choose, click_at, default_record, drag, press, widgets_of};
 use crate::support::window::{app, default_scene, places, widgets};
 
 /// A size in which every section and tab is visible.
@@ -142,7 +141,7 @@ fn every_button_does_what_its_key_does() {
 #[test]
 fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
     type Change = fn(&mut Harness<'static, App>);
-    let changes: [(&str, Change); 11] = [
+    let changes: [(&str, Change); 9] = [
         ("a check box", |it| click(it, "red")),
         ("a button", |it| click(it, "Phong")),
         ("a choice", |it| click(it, "orthographic")),
@@ -156,8 +155,6 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
         ("a number of the editor", |it| enter(it, "size", 1, "7.25")),
         ("a word of the editor", |it| click_inside(it, "face")),
         ("the background", |it| enter(it, "background", 1, "7")),
-        ("a copy", |it| click(it, "copy")),
-        ("a new light", |it| click(it, "new light")),
         ("a drag of the picture", |it| {
             let middle = it.state().canvas.place.center();
             drag(it, &[middle, middle + vec2(60.0, 30.0)]);
@@ -201,98 +198,17 @@ fn the_tolerance_is_typed_and_dragged() {
 }
 
 #[test]
-fn entities_are_copied_renamed_and_deleted() {
-    let mut harness = open();
-    press(&mut harness, Key::E);
-    let start = record(&harness);
-    let counts = |harness: &Harness<App>| {
-        let now = record(harness);
-        now.check().expect("a legal scene");
-        [now.cuboid.len(), now.light.len(), now.camera.len()]
-    };
-    for (index, kind) in ["cuboid", "light", "camera"].into_iter().enumerate() {
-        let mut expected = counts(&harness);
-        harness.state_mut().desk.selected = Some((kind, 0));
-        harness.run_ok();
-        for (label, change) in [("copy", 1), ("copy", 1), ("delete", -1)] {
-            click(&mut harness, label);
-            expected[index] = expected[index].saturating_add_signed(change);
-            assert_eq!(counts(&harness), expected, "{kind}");
-        }
-        let now = record(&harness);
-        let lights = &now.light;
-        assert_ne!(lights[0].position, lights[lights.len() - 1].position);
-        // The neighbour of the deleted one is selected.
-        let copied = expected[index] - 1;
-        assert_eq!(harness.state().desk.selected, Some((kind, copied)));
-        click(&mut harness, "delete");
-        // The camera stepped back to show the copies.
-        let mut now = record(&harness);
-        now.camera[0].orbit = start.camera[0].orbit;
-        assert_eq!(now, start, "{kind}");
-    }
-    // The view forgets a deleted camera.
-    harness.key_press(Key::C);
-    harness.state_mut().desk.selected = Some(("camera", 1));
-    harness.run_ok();
-    assert_eq!(record(&harness).view.camera.as_deref(), Some("2"));
-    click(&mut harness, "delete");
-    assert_eq!(record(&harness).view, start.view);
-    // A scene may have no light, and gets one.
-    for lights in [3, 2, 1, 0, 1] {
-        let is_fewer = lights < counts(&harness)[1];
-        harness.state_mut().desk.selected = Some(("light", 0));
-        click(&mut harness, ["new light", "delete"][usize::from(is_fewer)]);
-        assert_eq!(counts(&harness)[1], lights);
-    }
-    // A new one comes in sight in a long list.
-    let mut many = start.clone();
-    many.light = vec![start.light[0].clone(); 60];
-    for (index, light) in many.light.iter_mut().enumerate() {
-        light.name = format!("own {index}");
-    }
-    harness.state_mut().document.restore(&many);
-    harness.run_ok();
-    click(&mut harness, "new light");
-    click_inside(&mut harness, "light 61");
-    harness.state_mut().document.restore(&start);
-    harness.run_ok();
-    // The last cuboid cannot be deleted.
-    click(&mut harness, "emerald");
-    click(&mut harness, "delete");
-    assert_eq!(record(&harness), start);
-    // A duplicate name, or a name that a list of lights cannot hold, is refused.
-    for (name, is_taken) in [("blue", true), ("red", false), ("", false), ("a,b", false)] {
-        let before = names::<Light>(&harness.state().document.scene.world);
-        click_inside(&mut harness, &before[0]);
-        let fields = harness.query_all_by_role(Role::TextInput);
-        // The first one is that of the file's name.
-        let field = fields.map(|field| field.rect().center()).nth(1);
-        click_at(&mut harness, field.expect("the field of the name"));
-        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-        harness.run_ok();
-        match name {
-            "" => harness.key_press(Key::Backspace),
-            _ => harness.event(egui::Event::Text(name.to_owned())),
-        }
-        press(&mut harness, Key::Enter);
-        let after = names::<Light>(&harness.state().document.scene.world);
-        assert_eq!(after[0] == name, is_taken, "{name:?}: {after:?}");
-        assert_eq!(after[1..], before[1..]);
-    }
-}
-
-#[test]
 fn a_number_s_tooltip_is_the_comment_of_its_own_key() {
     let mut harness = open();
     press(&mut harness, Key::E);
-    for (entity, label, own) in [
-        ("emerald", "position", "centre"),
-        ("white", "position", "shines from"),
-        ("1", "position", "the eye"),
-        ("1", "fov", "at most 179.0"),
+    for (kind, label, own) in [
+        ("cuboid", "position", "centre"),
+        ("light", "position", "shines from"),
+        ("camera", "position", "the eye"),
+        ("camera", "fov", "at most 179.0"),
     ] {
-        click_inside(&mut harness, entity);
+        harness.state_mut().desk.selected = Some((kind, 0));
+        harness.run_ok();
         let rows = harness.query_all_by(|node| node.role() == Role::Label);
         let mut rows = rows.filter(|it| it.accesskit_node().value().as_deref() == Some(label));
         let at = rows.next_back().expect("a row").rect().center();
@@ -300,7 +216,7 @@ fn a_number_s_tooltip_is_the_comment_of_its_own_key() {
         harness.hover_at(at);
         harness.run_steps(8);
         let is_shown = harness.query_by_label_contains(own).is_some();
-        assert!(is_shown, "{label} of {entity}");
+        assert!(is_shown, "{label} of {kind}");
     }
 }
 
@@ -308,7 +224,6 @@ fn a_number_s_tooltip_is_the_comment_of_its_own_key() {
 pub fn numbers_are_typed_within_their_range() {
     let mut harness = open();
     press(&mut harness, Key::E);
-    click(&mut harness, "emerald");
     for (label, column, text, wanted) in [
         ("size", 1, "7.25", 7.25),
         ("size", 0, "-3", 4.0),
@@ -329,14 +244,10 @@ pub fn numbers_are_typed_within_their_range() {
     assert_eq!(record(&harness).background, background);
     let said = &harness.state().desk.message;
     assert!(said.as_ref().expect("why").0.starts_with("`background"));
-    click_inside(&mut harness, "white");
+    click(&mut harness, "cuboid emerald");
+    choose(&mut harness, "light white");
     enter(&mut harness, "gain", 0, "40.5");
     assert_eq!(record(&harness).light[0].gain, 40.5);
-    // A light that is not ambient any more is somewhere.
-    harness.state_mut().desk.selected = Some(("light", 3));
-    harness.run_ok();
-    click_inside(&mut harness, "diffuse");
-    assert_eq!(record(&harness).light[3].position, Some(DVec3::ZERO));
 }
 
 #[test]
@@ -350,7 +261,6 @@ fn a_number_that_only_gets_the_focus_keeps_every_digit() {
     let mut harness = widgets(app(scene, SIZE, Level::new()), SIZE);
     press(&mut harness, Key::E);
     start = record(&harness);
-    click(&mut harness, "emerald");
     let lights = harness.query_all_by(|node| node.role() == Role::SpinButton);
     let all: Vec<Pos2> = lights.map(|node| node.rect().center()).collect();
     // The focus leaves each number once before it is laid out and once after.
