@@ -59,8 +59,10 @@ impl App {
     /// Runs an action; one that cannot be run says so.
     pub fn run(&mut self, action: Action) {
         let is_lesson = !self.document.scene.lesson.is_empty();
-        // They need room beside the picture.
-        self.desk.shows_rest |= matches!(action, Action::Tab(_) | Action::Worst);
+        if matches!(action, Action::Tab(_) | Action::Worst | Action::HoldTime) {
+            // They need room beside the picture.
+            (self.desk.shows_rest, self.desk.panel_folded) = (true, false);
+        }
         let world = &mut self.document.scene.world;
         match action {
             Action::Light(index) => self.desk.say_any(controls::switch_light(world, index)),

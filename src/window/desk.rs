@@ -100,8 +100,11 @@ impl Desk {
         self.tabs.contains(&tab)
     }
 
-    /// Opens a heading of the panel. In a low window the others close.
+    /// Opens a heading of the panel, unless that is folded. In a low window the others close.
     pub fn open(&mut self, tab: Tab) {
+        if self.panel_folded {
+            return;
+        }
         self.tabs.retain(|it| self.is_high && *it != tab);
         self.tabs.push(tab);
         self.revealed = Some(tab);

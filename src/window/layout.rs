@@ -1,9 +1,9 @@
 //! The frame of the window: the panel on the left, or below the picture in a narrow window, the question above the picture, the
 //! result below, the picture between.
 //!
-//! What opens, opens under a heading of the panel, or over the picture where the panel is folded. So the picture keeps its size.
+//! What opens, opens under a heading of the panel, so the picture keeps its size.
 
-use egui::{Area, Color32, Frame, Id, Label, Order, Panel, Popup, Rect, RichText, Ui, Vec2};
+use egui::{Color32, Id, Label, Panel, Popup, RichText, Ui, Vec2};
 
 use super::app::App;
 use super::comparison::Worst;
@@ -12,7 +12,7 @@ use super::desk::Desk;
 use super::help::{about, help};
 use super::keys::{Action, binding};
 use super::lesson::heading;
-use super::panel::{headings, panel, path_row};
+use super::panel::{panel, path_row};
 use super::pictures::{side_method, sides};
 use super::tags::side_name;
 use super::widgets::{BAD, GOOD, INK, short, text};
@@ -60,9 +60,6 @@ impl App {
             Panel::top("headline").show_inside(ui, |ui| self.headline(ui));
         }
         self.viewport(ui);
-        if let Some(place) = self.drawer_place() {
-            self.drawer(ui, place);
-        }
         if self.desk.help {
             self.desk.help = help(ui);
         }
@@ -145,37 +142,6 @@ impl App {
                 .map_or(MIXED, |it| says(Action::Shading(it.mode))),
             mode => says(Action::View(mode)),
         }
-    }
-
-    /// The part of the picture that an open heading covers: the half without the explained pixel. `None` unless the panel is folded.
-    pub(super) fn drawer_place(&self) -> Option<Rect> {
-        if !self.desk.panel_folded || self.desk.tabs.is_empty() || self.is_lesson_alone() {
-            return None;
-        }
-        let picture = self.canvas.place;
-        let usual = (picture.width() / 2.0)
-            .clamp(LEAST, USUAL)
-            .min(picture.width());
-        let pixel = self.pixel().map(|it| self.canvas.place_of(it));
-        Some(if pixel.is_some_and(|it| it.x > picture.center().x) {
-            picture.with_max_x(picture.min.x + usual)
-        } else {
-            picture.with_min_x(picture.max.x - usual)
-        })
-    }
-
-    /// Lays out the headings over the picture.
-    fn drawer(&mut self, ui: &Ui, place: Rect) {
-        let ground = Frame::side_top_panel(ui.style());
-        let room = (place.size() - ground.total_margin().sum()).max(Vec2::ZERO);
-        let drawer = Area::new(Id::new("drawer")).fixed_pos(place.min);
-        drawer.order(Order::Middle).show(ui.ctx(), |ui| {
-            ground.show(ui, |ui| {
-                ui.set_min_size(room);
-                ui.set_max_size(room);
-                headings(ui, self);
-            });
-        });
     }
 
     /// The line below the picture: a message, the name of what is shown in its place, or the result; and the file of edits.

@@ -1,6 +1,6 @@
 //! The marks on the picture: vertices, and what belongs to the explained pixel.
 
-use egui::{Align, Align2, Color32, Painter, Pos2, Rangef, Rect, Vec2, vec2};
+use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Vec2, vec2};
 use glam::DVec3;
 use hecs::World;
 
@@ -112,33 +112,21 @@ pub fn draw_line(painter: &Painter, x: f32, rows: Rangef) {
     painter.vline(x, rows, (2.0, Color32::from_white_alpha(230)));
 }
 
-/// Draws n, o, and the l and r of each light, from the probed pixel, as they are seen in the view, and a legend in a
-/// corner of the picture.
-pub fn draw_arrows(
-    painter: &Painter,
-    probe: &Probe,
-    world: &World,
-    canvas: &Canvas,
-    corner: Align2,
-) {
+/// Draws n, o, and the l and r of each light, from the probed pixel, as they are seen in the view, and a legend in the
+/// lower right corner of the picture.
+pub fn draw_arrows(painter: &Painter, probe: &Probe, world: &World, canvas: &Canvas) {
     let Some(surface) = &probe.surface else {
         return;
     };
     let at = canvas.place_of(probe.pixel);
     let [right, up, _] = Camera::of(world, active_camera(world)).axes();
-    let mut row = corner.pos_in_rect(&canvas.place.shrink2(vec2(10.0, 14.0)));
-    let step = if corner.y() == Align::TOP {
-        20.0
-    } else {
-        -20.0
-    };
-    let align = Align2([corner.x(), Align::Center]);
+    let mut row = canvas.place.shrink2(vec2(10.0, 14.0)).right_bottom();
     let mut arrow = |name: &str, ink: Color32, vector: Option<DVec3>| {
         let Some(vector) = vector else {
             return;
         };
-        tag(painter, align, row, name, ink);
-        row.y += step;
+        tag(painter, Align2::RIGHT_CENTER, row, name, ink);
+        row.y -= 20.0;
         let way = vec2(vector.dot(right) as f32, -vector.dot(up) as f32);
         // The root keeps vectors along the view long enough to be told apart.
         let way = way * (UNIT / way.length().sqrt().max(1e-3));

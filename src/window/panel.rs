@@ -67,7 +67,7 @@ pub fn panel(ui: &mut Ui, app: &mut App) {
 }
 
 /// Lays out the headings, each with its content if it is open. In a low window they are one row of their keys.
-pub fn headings(ui: &mut Ui, app: &mut App) {
+fn headings(ui: &mut Ui, app: &mut App) {
     let is_low = ui.ctx().content_rect().height() < ONE_ROW;
     if is_low {
         ui.horizontal_wrapped(|ui| {

@@ -98,22 +98,14 @@ impl App {
     /// Draws the vertices, and what belongs to the explained pixel.
     fn draw_marks(&self, ui: &Ui) {
         let (world, canvas) = (&self.document.scene.world, &self.canvas);
-        let (painter, view, show) = (ui.painter(), self.view(), self.viewer().show);
+        let (painter, view) = (ui.painter(), self.view());
         mark_vertices(painter, world, &view, canvas, self.method());
         let is_known = self.study.facts.section.is_current;
         if let Some(probe) = self.probed().filter(|_| is_known)
             && let Some(surface) = &probe.surface
         {
             mark_triangle(painter, surface, &view, canvas);
-            let drawer = self.drawer_place();
-            let is_covered = drawer.is_some_and(|it| it.max.x == canvas.place.max.x);
-            // The legend stands in the lower left corner.
-            let corner = match show {
-                _ if !is_covered => Align2::RIGHT_BOTTOM,
-                ViewMode::Error | ViewMode::Tiles => Align2::LEFT_TOP,
-                _ => Align2::LEFT_BOTTOM,
-            };
-            draw_arrows(painter, probe, world, canvas, corner);
+            draw_arrows(painter, probe, world, canvas);
         }
     }
 
