@@ -1,6 +1,5 @@
 //! The picture is drawn, and the questions about it are asked and answered.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use super::app::App;
@@ -43,16 +42,8 @@ impl App {
         Ok(())
     }
 
-    /// Whether the present picture is the one that was drawn last, about which the facts are.
-    pub(super) fn is_drawn(&self) -> bool {
-        let drawn = self.canvas.drawn.as_ref();
-        drawn.is_some_and(|(state, view)| {
-            Arc::ptr_eq(state, &self.document.state) && *view == self.view()
-        })
-    }
-
     /// Outdates the facts that are not those of the picture to be drawn.
-    fn outdate(&mut self) {
+    pub(super) fn outdate(&mut self) {
         if let Some((state, view)) = &self.canvas.drawn {
             let present = (&self.document.state, &self.view());
             self.study.outdate(change((state, view), present));

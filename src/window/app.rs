@@ -255,11 +255,12 @@ impl App {
         waits.into_iter().flatten().min().unwrap_or(Duration::MAX)
     }
 
-    /// Notes the state that keys and widgets made. An explained pixel opens its heading.
+    /// Notes the state that keys and widgets made, and outdates the facts about the one before. An explained pixel opens its heading.
     pub(super) fn note_changes(&mut self) {
         let before = self.document.state.view.pixel;
         let refused = self.document.note();
         self.desk.say_any(refused);
+        self.outdate();
         let pixel = self.document.state.view.pixel;
         if pixel.is_some() && pixel != before && self.desk.tabs.is_empty() {
             self.desk.open(Tab::Pixel);

@@ -63,11 +63,8 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// After a change of the picture. The trade is about all methods.
+    /// After a change of the picture, which is not [`Change::Nothing`]. The trade is about all methods.
     pub fn outdate(&mut self, change: Change) {
-        if change == Change::Nothing {
-            return;
-        }
         self.section.is_current = false;
         self.comparison.is_current = false;
         self.proof.is_current = false;

@@ -48,7 +48,7 @@ impl App {
         let size = ui.available_size();
         self.desk.is_high = size.y >= HIGH;
         self.take_keys(ui);
-        let was_drawn = self.is_drawn();
+        let was_proven = self.study.facts.proof.is_current;
         if !self.is_lesson_alone() {
             self.sides(ui, size);
         }
@@ -68,8 +68,8 @@ impl App {
             self.run(action);
         }
         self.note_changes();
-        if was_drawn && !self.is_drawn() && self.study.facts.proof.is_current {
-            // The status line tells of the proof of the picture before.
+        if was_proven && !self.study.facts.proof.is_current {
+            // The status line tells of the picture before.
             ui.ctx().request_discard("the picture has changed");
         }
     }
@@ -185,25 +185,14 @@ impl App {
         is_clicked
     }
 
-    /// The sentence about the proof, and its colour. While things move, it is about the last proof, and stays the same for several
-    /// pictures, so that it can be read. `erring` is the method whose error is told before.
+    /// The sentence about the proof, and its colour. `erring` is the method whose error is told before.
     fn proof_says(&self, erring: Option<Method>) -> Option<(String, Color32)> {
-        let (study, fact) = (&self.study, &self.study.facts.proof);
-        let moves = !(self.canvas.rests() && self.is_drawn());
-        let known = if moves {
-            study.last_proof()
-        } else {
-            fact.current().map(|(_, proof)| proof)
-        };
-        let Some(proof) = known else {
-            let text = match moves {
-                // There was too little memory.
-                false if fact.is_current => "It is not proven.",
-                _ if !study.is_live() => return None,
-                true if !study.follows() => "It is proven once nothing moves.",
-                _ => "It is being proven.",
-            };
-            return Some((text.to_owned(), Color32::GRAY));
+        let fact = &self.study.facts.proof;
+        let Some((_, proof)) = fact.current() else {
+            // There may be too little memory.
+            let text = ["The proof follows.", "It is not proven."][usize::from(fact.is_current)];
+            let is_told = fact.is_current || self.study.is_live();
+            return is_told.then(|| (text.to_owned(), Color32::GRAY));
         };
         let (proven, pixels) = (proof.proven, proof.pixels as u64);
         let [width, height] = self.canvas.size();
@@ -212,9 +201,7 @@ impl App {
         } else {
             ""
         };
-        let text = if moves {
-            format!("The last proof held for {proven} of {pixels} pixels.")
-        } else if proven < pixels {
+        let text = if proven < pixels {
             format!("{proven} of {pixels} pixels{both} are proven to be drawn right.")
         } else {
             let every = match erring.filter(|it| it.mode != ShadingMode::Phong) {

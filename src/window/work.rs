@@ -57,9 +57,6 @@ type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
 /// The work on a question. It is cancelled when it is dropped, and ends within a row of the picture or a frame.
 pub struct Work {
     pub question: Question,
-    pub begun: Instant,
-    /// Whether the picture has changed since.
-    pub is_late: bool,
     pub answer: Receiver<Answer>,
     /// The present step, and the share of it that is done, 0..=1.
     progress: Arc<Mutex<(&'static str, f64)>>,
@@ -116,8 +113,6 @@ impl Work {
         }
         Work {
             question,
-            begun: Instant::now(),
-            is_late: false,
             answer: receiver,
             progress,
             rest,

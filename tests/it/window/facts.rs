@@ -15,7 +15,7 @@ use shadetrade::window::canvas::REST;
 use shadetrade::window::desk::{Desk, reading_time};
 use shadetrade::window::facts::Change;
 use shadetrade::window::inspector::Tab;
-use shadetrade::window::study::{Runner, SLOW_PROOF, Study, Subject};
+use shadetrade::window::study::{Runner, Study, Subject};
 use shadetrade::window::work::{Question, Work, pool};
 
 use super::files::on_file;
@@ -195,10 +195,7 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     for is_probed in [false, true] {
         let mut study = live();
         ask(&mut study, is_probed, false, &desk);
-        let is_proof = study
-            .work
-            .is_some_and(|work| work.question == Question::Prove);
-        assert_eq!(is_proof, !is_probed, "things move");
+        assert_eq!(study.work.is_some(), is_probed, "things move");
     }
     for (is_probed, change, goes_on) in [
         (true, Change::Method, false),
@@ -216,33 +213,6 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     ask(&mut study, true, true, &desk);
     study.outdate(Change::Method);
     assert!(!works(study), "the pixel stopped the proof");
-}
-
-#[test]
-fn a_proof_goes_on_while_things_move_unless_it_is_slow() {
-    let begin = || {
-        let mut study = live();
-        ask(&mut study, false, false, &Desk::default());
-        study
-    };
-    let mut study = begin();
-    study.outdate(Change::Scene);
-    while study.last_proof().is_none() {
-        std::thread::yield_now();
-        study.receive(Duration::ZERO);
-    }
-    let proof = study.facts.proof.current();
-    assert!(proof.is_none(), "that of the picture before");
-    ask(&mut study, false, true, &Desk::default());
-    let question = study.work.as_ref().map(|work| work.question);
-    assert_eq!(question, Some(Question::Compare), "once nothing moves");
-
-    let mut study = begin();
-    let work = study.work.as_mut().expect("a proof");
-    work.begun -= 2 * SLOW_PROOF;
-    study.outdate(Change::Scene);
-    ask(&mut study, false, false, &Desk::default());
-    assert!(study.work.is_none(), "it is given up");
 }
 
 #[test]
