@@ -31,7 +31,6 @@ use crate::questions::metrics::{difference, ends};
 use crate::reference::{Interval, Real, Reference, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
-use crate::systems::frame::display_pixel;
 
 /// Pictures that are evaluated together. Each takes memory for every cuboid.
 const AT_ONCE: usize = 16;
@@ -70,44 +69,6 @@ impl Change {
     pub fn keeps(&self, tolerance: f64) -> bool {
         self.most() <= limit(tolerance)
     }
-}
-
-/// The picture without a part, as the reference draws it, 0x00RRGGBB.
-///
-/// # Errors
-/// If the work is cancelled.
-pub async fn picture_without(
-    scene: &Scene,
-    view: &View,
-    part: Part,
-    monitor: Monitor<'_>,
-) -> anyhow::Result<Vec<u32>> {
-    let (world, view) = (&without(scene, &[part]).world, &view.unshaded());
-    if part == Part::F64 {
-        pixels(&Reference::<f32>::without(world, view, None), view, monitor).await
-    } else {
-        let reference = Reference::<f64>::without(world, view, rule(&[part]));
-        pixels(&reference, view, monitor).await
-    }
-}
-
-/// The pixels of a picture in floats.
-async fn pixels<R: Real>(
-    picture: &Reference<R>,
-    view: &View,
-    monitor: Monitor<'_>,
-) -> anyhow::Result<Vec<u32>> {
-    let row = |y| {
-        let mut pixels = Vec::with_capacity(view.size[0]);
-        picture.row(y, |_, seen| {
-            let levels = seen[0].levels.map(|level| level.endpoints()[0]);
-            pixels.push(display_pixel(levels));
-        });
-        Ok(pixels)
-    };
-    let height = view.size[1];
-    let rows = monitor.in_parallel("leaving out a part", 0..height, [0, height], row);
-    Ok(rows.await?.concat())
 }
 
 /// One change for each list of parts. All parts of a list, at most one of them a [`Part::Rule`], are left out together.

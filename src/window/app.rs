@@ -25,7 +25,6 @@ use super::file::INTERVAL;
 use super::inspector::Tab;
 use super::layout::{LOW, NARROW};
 use super::lesson::letters_warning;
-use super::pictures::or_dimmed;
 use super::study::{Runner, Study};
 use crate::components::{View, Viewer, viewer, viewer_mut};
 use crate::output::paint::{Painter, area};
@@ -140,13 +139,8 @@ impl App {
 
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
-        let (viewer, facts) = (self.viewer(), &self.study.facts);
-        if let Some(part) = self.desk.shown_without() {
-            let known = facts.left_out.current().filter(|it| it.0 == part);
-            let frame = self.canvas.pictures.frame.pixels();
-            return or_dimmed(known.map(|it| &*it.1), frame);
-        }
-        self.canvas.shown(&viewer, facts, self.desk.turn())
+        let facts = &self.study.facts;
+        self.canvas.shown(&self.viewer(), facts, self.desk.turn())
     }
 
     /// Applies the events of `input`, whose places are in pixels, and draws the window of `size` pixels.

@@ -13,7 +13,7 @@ use crate::questions::job::Drawing;
 use crate::questions::probe::{self, Probe};
 use crate::questions::prove::{Proof, prove};
 use crate::questions::requires::segments::fewest_segments;
-use crate::questions::requires::{Part, more_changes, picture_without};
+use crate::questions::requires::more_changes;
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::verdict::is_sure;
 use crate::questions::trade::{Request, measure};
@@ -40,9 +40,6 @@ impl Study {
         }
         if desk.is_open(Tab::Vary) {
             self.vary(subject, desk);
-        }
-        if let Some(part) = desk.shown_without() {
-            self.leave_out(subject, part);
         }
         if shows_times {
             self.measure(subject, Question::Measure);
@@ -116,21 +113,6 @@ impl Study {
             Question::Vary,
             |facts| &mut facts.curves,
             async move |_, _, monitor| before.refine(PER_STEP, level, monitor).await,
-        );
-    }
-
-    /// Draws the picture without a part of the model.
-    fn leave_out(&mut self, subject: &Subject, part: Part) {
-        let left_out = &mut self.facts.left_out;
-        left_out.is_current &= left_out.value.as_ref().is_none_or(|it| it.0 == part);
-        self.start_if_due(
-            subject,
-            Question::LeaveOut,
-            |facts| &mut facts.left_out,
-            async move |scene, view, monitor| {
-                let pixels = picture_without(&scene, view, part, monitor).await?;
-                Ok((part, pixels))
-            },
         );
     }
 

@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use super::inspector::{Tab, Varied};
 use super::keys::Action;
-use crate::questions::requires::Part;
 
 /// How long each of two pictures is shown while they take turns.
 pub const TURN: Duration = Duration::from_millis(500);
@@ -37,8 +36,6 @@ pub struct Desk {
     pub revealed: Option<Tab>,
     /// The number that is varied.
     pub varied: Option<Varied>,
-    /// The part of the model without which the picture is shown, while the required parts are shown.
-    pub left_out: Option<Part>,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
     /// Of the status line, and when it goes.
@@ -89,11 +86,6 @@ impl Desk {
     pub fn turn(&self) -> Option<usize> {
         let passed = self.now.saturating_sub(self.blinks?);
         Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
-    }
-
-    /// The part without which the picture is shown.
-    pub fn shown_without(&self) -> Option<Part> {
-        self.left_out.filter(|_| self.is_open(Tab::Required))
     }
 
     pub fn is_open(&self, tab: Tab) -> bool {

@@ -9,7 +9,7 @@ use crate::components::{Side, View};
 use crate::questions::probe::Probe;
 use crate::questions::prove::Proof;
 use crate::questions::requires::segments::FewestSegments;
-use crate::questions::requires::{Part, PartChanges};
+use crate::questions::requires::PartChanges;
 use crate::questions::trade::{Measured, Measurement};
 use crate::questions::vary::refined::Refined;
 use crate::scene::SceneRecord;
@@ -51,8 +51,6 @@ pub struct Facts {
     pub comparison: Latest<Comparison>,
     /// The proof of the picture, or of both sides of a wipe.
     pub proof: Latest<([Side; 2], Proof)>,
-    /// The picture without a part.
-    pub left_out: Latest<(Part, Vec<u32>)>,
     /// It is current from its first rows on.
     pub required: Latest<PartChanges>,
     pub segments: Latest<Vec<FewestSegments>>,
@@ -68,7 +66,6 @@ impl Facts {
         self.section.is_current = false;
         self.comparison.is_current = false;
         self.proof.is_current = false;
-        self.left_out.is_current = false;
         self.required.is_current = false;
         self.segments.is_current = false;
         self.trade.is_current &= change == Change::Method;

@@ -14,7 +14,6 @@ pub use self::view::picture_action;
 use self::view::{camera_tab, pictures_tab};
 use super::app::App;
 use super::chart;
-use super::desk::Desk;
 use super::panel::{file_rows, scene_rows};
 use super::study::Study;
 use super::widgets::{INK, short, wait};
@@ -81,17 +80,17 @@ pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
             scene::tab(ui, document, desk);
         }
         Tab::Pixel => pixel::tab(ui, world, canvas, study),
-        Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),
+        Tab::Required => required_tab(ui, study, document.state.view.tolerance),
         Tab::Proof => proof_tab(ui, study),
         Tab::Vary => vary::tab(ui, document, canvas, study, desk),
     }
 }
 
 /// A row for each part of the model, the one with the largest error first.
-fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
+fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
     ui.label(format!(
         "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
-         {tolerance} needs the part. A click on a part shows the picture without it, and another click the picture again."
+         {tolerance} needs the part."
     ));
     let facts = &study.facts;
     let required = &facts.required;
@@ -113,11 +112,7 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
             ui.colored_label(INK, short(change.most()));
             let is_kept = change.keeps(tolerance);
             ui.colored_label(INK, if is_kept { "no" } else { "yes" });
-            let is_left_out = desk.left_out == Some(part);
-            let row = ui.selectable_label(is_left_out, name);
-            if row.on_hover_text(part.says()).clicked() {
-                desk.left_out = (!is_left_out).then_some(part);
-            }
+            ui.label(name).on_hover_text(part.says());
             ui.end_row();
         }
     });

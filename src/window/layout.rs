@@ -10,7 +10,7 @@ use super::comparison::Worst;
 use super::controls::has_face_normals;
 use super::desk::Desk;
 use super::help::{about, help};
-use super::keys::{Action, binding};
+use super::keys::{Action, EXACT_SIDES, binding};
 use super::lesson::heading;
 use super::panel::{panel, path_row};
 use super::pictures::{side_method, sides};
@@ -39,7 +39,6 @@ const LETTERS: f32 = 15.0;
 
 const QUESTION: &str = "Same box, same lamps: where is the bright spot on the left?";
 const MIXED: &str = "The cuboids are shaded in different modes.";
-const METHOD: &str = "The method on screen.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
 
 impl App {
@@ -144,16 +143,15 @@ impl App {
         }
     }
 
-    /// The line below the picture: a message, the name of what is shown in its place, or the result; and the file of edits.
+    /// The line below the picture: a message, the name of the picture that has its turn, or the result; and the file of edits.
     fn status(&mut self, ui: &mut Ui) {
         if message(ui, &mut self.desk) {
             return;
         }
-        let beside = shown_beside(&self.viewer(), self.method(), &self.desk);
-        match beside {
-            Some(name) => drop(ui.label(name).on_hover_text(METHOD)),
-            None if self.result(ui) => self.desk.wish(Action::Worst),
-            None => {}
+        if let Some(turn) = self.desk.turn() {
+            ui.label(name_of_turn(&self.viewer(), self.method(), turn));
+        } else if self.result(ui) {
+            self.desk.wish(Action::Worst);
         }
         if self.document.is_edited() {
             path_row(ui, Action::Save, &self.document.target(false));
@@ -231,15 +229,11 @@ pub fn message(ui: &mut Ui, desk: &mut Desk) -> bool {
     desk.message.is_some()
 }
 
-/// The name of what is shown in place of the picture: one without a part, or one that has its turn.
-fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<String> {
-    if let Some(part) = desk.shown_without() {
-        return Some(part.says().to_owned());
-    }
-    let turn = desk.turn()?;
-    match (viewer.show, turn) {
-        (ViewMode::Wipe, _) => Some(side_name(&viewer.sides[turn], method)),
-        (_, 0) => Some(side_name(&Side::Reference, method)),
-        _ => Some(side_name(&Side::Picture, method)),
-    }
+/// The name of the picture that has its turn.
+fn name_of_turn(viewer: &Viewer, method: Option<Method>, turn: usize) -> String {
+    let side = match viewer.show {
+        ViewMode::Wipe => viewer.sides[turn],
+        _ => EXACT_SIDES[1 - turn],
+    };
+    side_name(&side, method)
 }

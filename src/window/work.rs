@@ -23,8 +23,6 @@ pub enum Question {
     Compare,
     /// It is asked while its tab is open.
     Vary,
-    /// A part was clicked.
-    LeaveOut,
     /// The timing of all methods, which takes less time than a proof.
     Measure,
     Prove,

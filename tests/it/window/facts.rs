@@ -8,8 +8,7 @@ use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, Side, View, common};
 use shadetrade::output::Monitor;
-use shadetrade::questions::requires::without;
-use shadetrade::systems::frame::{Keep, Workers};
+use shadetrade::systems::frame::Workers;
 use shadetrade::window::app::App;
 use shadetrade::window::canvas::REST;
 use shadetrade::window::desk::{Desk, reading_time};
@@ -19,9 +18,8 @@ use shadetrade::window::study::{Runner, Study, Subject};
 use shadetrade::window::work::{Question, Work, pool};
 
 use super::files::on_file;
-use super::{PAUSE, Window, changed, choose, default_record, press};
+use super::{PAUSE, Window, changed, default_record, press};
 use crate::support::records;
-use crate::support::scene::draw;
 use crate::support::window::{default_scene, widgets};
 
 /// A size so small that everything is computed at once.
@@ -87,44 +85,6 @@ fn the_part_that_matters_most_comes_first() {
     let sentence = format!("emerald: Gouraud needs {count} segments.");
     assert!(harness.query_all_by_value(&sentence).count() > 0);
     assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
-}
-
-#[test]
-fn a_click_on_a_part_shows_the_picture_without_it_and_another_the_picture() {
-    let click = |window: &mut Window, name: &str| {
-        // Every row is in sight.
-        window.with_widgets([1300, 1000], |it| choose(it, name));
-        window.step(Vec::new());
-    };
-    let mut window = Window::of(default_scene(), [1300, 120]);
-    window.press(Key::P);
-    window.press(Key::N);
-    let is_all = |window: &Window| {
-        let required = window.app.study.facts.required.current();
-        required.is_some_and(|it| it.is_all)
-    };
-    while !is_all(&window) {
-        window.step(Vec::new());
-    }
-    let picture = window.app.shown().into_owned();
-    for name in ["light red", "light white"] {
-        click(&mut window, name);
-        let left_out = window.app.study.facts.left_out.current();
-        let (part, pixels) = left_out.expect("an answer");
-        let mut world = without(&window.app.document.scene, &[*part]).world;
-        let frame = draw(&mut world, &window.app.view(), Keep::Display);
-        let differs = |(one, other): &(&u32, &u32)| {
-            let channels = one.to_be_bytes().into_iter().zip(other.to_be_bytes());
-            channels.map(|(one, other)| one.abs_diff(other)).max() > Some(1)
-        };
-        let different = pixels.iter().zip(frame.pixels()).filter(differs).count();
-        // On an edge two faces are as near.
-        assert!(different < 20, "{name}: {different}");
-        assert_eq!(*window.app.shown(), pixels[..]);
-        assert_ne!(picture, *pixels, "{name}");
-        click(&mut window, name);
-        assert_eq!(*window.app.shown(), picture[..]);
-    }
 }
 
 #[test]
