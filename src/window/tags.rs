@@ -15,38 +15,11 @@ use crate::shading::{METHODS, Method};
 /// The distance of a tag from the edges of the picture, in points.
 const GAP: f32 = 9.0;
 
-const SHORTCUT: &str =
-    "The assignment's shortcut: n, l and o are interpolated as unit vectors and not normalised.";
-
 /// The sides to choose from.
 fn choices() -> Vec<Side> {
     let methods = METHODS.iter().copied().map(Side::from);
     let others = [Side::Picture, Side::Reference].into_iter();
     others.chain(methods).collect()
-}
-
-/// The sentence about a side.
-pub fn side_says(side: &Side) -> &'static str {
-    match side {
-        Side::Picture => "The picture as it is shaded.",
-        Side::Reference => about("reference"),
-        Side::Method {
-            mode: ShadingMode::UnitVectors,
-            ..
-        } => SHORTCUT,
-        Side::Method {
-            mode: ShadingMode::Flat,
-            ..
-        } => "One colour for the whole face, lit at its middle.",
-        Side::Method {
-            mode: ShadingMode::BlinnPhong,
-            ..
-        } => "Phong by n.h in place of o.r, h between l and o, with four times the shininess.",
-        Side::Method { tolerance: 0.0, .. } => {
-            "This program's renderer at tolerance 0: each pixel is evaluated, in f32."
-        }
-        Side::Method { .. } => about("tolerance"),
-    }
 }
 
 /// The name of a side; `shown` is the method on screen.
@@ -87,8 +60,7 @@ impl App {
                 methods.height(400.0).show_ui(ui, |ui| {
                     for side in choices() {
                         let name = side_name(&side, shown);
-                        let row = ui.selectable_value(&mut sides[index], side, name);
-                        row.on_hover_text(side_says(&side));
+                        ui.selectable_value(&mut sides[index], side, name);
                     }
                 });
                 if place.width() >= ROOM {

@@ -8,7 +8,7 @@ use hecs::World;
 
 use super::Tab;
 use super::scene::ANY;
-use crate::components::{Mesh, Side, names};
+use crate::components::{Mesh, names};
 use crate::output::chart::ticks;
 use crate::output::words::capital;
 use crate::questions::job::camera_name;
@@ -24,14 +24,10 @@ use crate::window::canvas::Canvas;
 use crate::window::desk::Desk;
 use crate::window::document::Document;
 use crate::window::study::Study;
-use crate::window::tags::side_says;
 use crate::window::widgets::{BAD, INK, mode_ink, number, rounded, still, wait};
 
 const ABOUT: &str = "The largest error of the picture against exact Phong, in levels of 255, over the range of a number. Drag the \
                      line to change the number. The button beside a number of the scene shows that one.";
-const LATTICE: &str = "Each value is drawn as large as the picture. An interval encloses the exact level of each compared pixel. \
-                       Where the cuboids take more pixels, every second one is compared in each direction, or every third, and so on: an error \
-                       between them is not found. `vary` on the command line compares all.";
 /// The ends of the axis of errors, in levels. A smaller error is drawn at the first.
 const ERRORS: [f64; 2] = [1e-4, 500.0];
 const HEIGHT: f32 = 230.0;
@@ -105,19 +101,14 @@ fn common_keys(world: &World) -> Vec<(&'static str, Key)> {
 /// A curve with its method; `None` is the textbook's formula.
 type MethodCurve = (Option<Method>, Curve);
 
-/// A change that the tab makes.
-enum Change {
-    Value(f64),
-    Ends([f64; 2]),
-}
-
 /// Lays out the tab. It writes the number.
 pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study, desk: &mut Desk) {
+    let common = common_keys(&document.scene.world);
     ui.horizontal_wrapped(|ui| {
-        for (name, key) in common_keys(&document.scene.world) {
+        for (name, key) in &common {
             // The first one is shown until another one is chosen.
-            if ui.small_button(name).clicked() || desk.varied.is_none() {
-                desk.vary(key, &document.state);
+            if ui.small_button(*name).clicked() || desk.varied.is_none() {
+                desk.vary(key.clone(), &document.state);
             }
         }
     });
@@ -126,31 +117,26 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study,
         return;
     };
     varied.look(&document.state, canvas.size());
-    let done = match change(ui, varied, study) {
-        Some(Change::Value(value)) => {
-            // With the changes of this layout.
-            let scene = SceneRecord::of(&document.scene.world);
-            let record = varied.variable.scene(&scene, value);
-            record.map(|record| document.restore(&record))
-        }
-        Some(Change::Ends(ends)) => {
-            let variable = Variable::new(varied.variable.key.clone(), ends, &document.state);
-            variable.map(|variable| desk.varied = Some(Varied::of(variable)))
-        }
-        None => Ok(()),
+    let key = &varied.variable.key;
+    let name = common.iter().find(|it| it.1 == *key);
+    let title = name.map_or_else(|| key.to_string(), |(name, _)| format!("{name}: {key}"));
+    ui.strong(title);
+    let Some(value) = change(ui, varied, study) else {
+        return;
     };
-    // A drag passes numbers that are not legal.
-    if let Err(error) = done
-        && ui.ctx().dragged_id().is_none()
-    {
-        desk.say(format!("{error:#}"));
+    // With the changes of this layout.
+    let scene = SceneRecord::of(&document.scene.world);
+    match varied.variable.scene(&scene, value) {
+        Ok(record) => document.restore(&record),
+        // A drag passes numbers that are not legal.
+        Err(_) if ui.ctx().dragged_id().is_some() => {}
+        Err(error) => desk.say(format!("{error:#}")),
     }
 }
 
-/// Lays out the number, the curves, and the ranges in which methods keep the limit.
-fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
+/// Lays out the number, the curves, and the ranges in which methods keep the limit. Returns the number if it is changed.
+fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<f64> {
     let variable = &varied.variable;
-    ui.strong(variable.key.to_string());
     ui.weak(variable.key.comment().unwrap_or_default());
     let (value, wanted) = match &varied.wanted {
         Ok((value, wanted)) => (*value, wanted),
@@ -165,30 +151,18 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let [width, height] = wanted.size;
     let pictures =
         format!("error in pictures of {width}x{height}, at a lattice of up to {PIXELS} pixels");
-    ui.small(pictures).on_hover_text(LATTICE);
-    let mut change = plot(ui, variable, wanted.limit, &curves, value);
-    let mut numbers = [variable.from, value, variable.to];
-    ui.columns(3, |columns| {
-        let names = ["from", "now", "to"];
-        for ((ui, number_of), name) in columns.iter_mut().zip(&mut numbers).zip(names) {
-            ui.horizontal(|ui| {
-                ui.weak(name);
-                number(ui, number_of, ANY);
-            });
-        }
+    ui.small(pictures);
+    let dragged = plot(ui, variable, wanted.limit, &curves, value);
+    let mut now = value;
+    ui.horizontal(|ui| {
+        ui.weak("now");
+        number(ui, &mut now, ANY);
     });
-    let [from, now, to] = numbers;
-    if [from, to] != [variable.from, variable.to] {
-        change = Some(Change::Ends([from, to]));
-    } else if now != value {
-        change = Some(Change::Value(now));
-    }
     wait(ui, study, known.is_some_and(|it| it.is_all));
     for (method, curve) in &curves {
         ui.horizontal_wrapped(|ui| {
             let name = method.map_or_else(|| "textbook in f32".to_owned(), method_name);
-            ui.colored_label(ink(*method), capital(&name))
-                .on_hover_text(says(*method));
+            ui.colored_label(ink(*method), capital(&name));
             let kept = curve.kept();
             ui.weak(format!("within {} of exact Phong: {kept}", wanted.limit));
         });
@@ -198,13 +172,7 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     }
     ui.separator();
     ui.weak(ABOUT);
-    change
-}
-
-/// The sentence about a curve.
-fn says(method: Option<Method>) -> &'static str {
-    let textbook = "The formula of Phong as one writes it down, in f32 throughout.";
-    method.map_or(textbook, |method| side_says(&Side::from(method)))
+    dragged.or((now != value).then_some(now))
 }
 
 fn ink(method: Option<Method>) -> Color32 {
@@ -228,7 +196,7 @@ fn plot(
     limit: f64,
     curves: &[MethodCurve],
     value: f64,
-) -> Option<Change> {
+) -> Option<f64> {
     let [least, most] = ERRORS.map(f64::log10);
     let marks = variable.marks();
     let of_values = move |_: GridInput| {
@@ -275,7 +243,7 @@ fn plot(
     let at = mouse.interact_pointer_pos()?;
     let share = transform.value_from_position(at).x.clamp(0.0, 1.0);
     let chosen = rounded(variable.at(share), 2).clamp(variable.from, variable.to);
-    (mouse.dragged() || mouse.clicked()).then_some(Change::Value(chosen))
+    (mouse.dragged() || mouse.clicked()).then_some(chosen)
 }
 
 fn grid_mark(value: f64) -> GridMark {

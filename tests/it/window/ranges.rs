@@ -1,4 +1,4 @@
-//! Sliders and drags: whatever the mouse does to a number, the scene stays legal and nothing is refused.
+//! Drags: whatever the mouse does to a number, the scene stays legal and nothing is refused.
 
 use egui::accesskit::Role;
 use egui::{Key, Pos2, vec2};

@@ -157,7 +157,7 @@ fn every_number_of_the_scene_has_a_button() {
 
 #[test]
 fn a_key_that_is_gone_says_so() {
-    let mut window = Window::of(default_scene(), [300, 200]);
+    let mut window = Window::of(default_scene(), [600, 200]);
     let key = Key::from("light.red.intensity");
     window.app.desk.vary(key, &window.app.document.state);
     window.step(vec![]);
