@@ -153,34 +153,6 @@ impl App {
         size: [usize; 2],
         mut input: RawInput,
     ) -> anyhow::Result<StepOutput> {
-        // egui moves no slider if the button is pressed and released in one pass.
-        let is_button = |event: &Event| matches!(event, Event::PointerButton { .. });
-        let mut copied = None;
-        while let Some(press) = input.events.iter().position(is_button)
-            && input.events[press + 1..].iter().any(is_button)
-        {
-            let rest = input.events.split_off(press + 1);
-            let first = RawInput {
-                events: std::mem::replace(&mut input.events, rest),
-                modifiers: input.modifiers,
-                ..RawInput::default()
-            };
-            copied = self.pass(now, size, first)?.copied.or(copied);
-        }
-        let output = self.pass(now, size, input)?;
-        Ok(StepOutput {
-            copied: output.copied.or(copied),
-            ..output
-        })
-    }
-
-    /// A step with one change of the mouse's button at most.
-    fn pass(
-        &mut self,
-        now: Duration,
-        size: [usize; 2],
-        mut input: RawInput,
-    ) -> anyhow::Result<StepOutput> {
         let ends_gesture = has_gesture(&input, false);
         self.prepare(now, size, &mut input);
         let context = self.painter.context.clone();

@@ -7,6 +7,8 @@
 //!       +------------- ms     both axes are logarithmic
 //! ```
 
+use std::ops::RangeInclusive;
+
 use egui::{
     Align2, Color32, FontId, Label, Pos2, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, WidgetType,
     vec2,
@@ -20,7 +22,7 @@ use super::controls::{choose_method, set_tolerance};
 use super::help::about;
 use super::keys::Action;
 use super::study::Study;
-use super::widgets::{GOURAUD, INK, PHONG, mode_ink, offer, rounded, short, slider};
+use super::widgets::{GOURAUD, INK, PHONG, mode_ink, number, offer, rounded, short};
 use crate::components::numbers::range_of;
 use crate::components::{Viewer, viewer};
 use crate::output::chart::ticks;
@@ -86,18 +88,14 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
         offer(ui, &mut app.desk, Action::HoldTime, budget.is_some());
     });
     let Some(budget) = budget else {
-        let mut changed = tolerance;
-        let least = Viewer::LEAST_TOLERANCE;
-        let words = ["tolerance", "[ ]", about("tolerance")];
-        slider(ui, words, &mut changed, 0.0..=255.0, least);
+        let changed = held(ui, "tolerance", "levels", tolerance, 0.0..=255.0);
         if changed != tolerance {
-            set_tolerance(world, if changed < least { 0.0 } else { changed });
+            let is_exact = changed < Viewer::LEAST_TOLERANCE;
+            set_tolerance(world, if is_exact { 0.0 } else { changed });
         }
         return;
     };
-    let mut changed = budget;
-    let words = ["budget, ms", "[ ]", about("budget")];
-    slider(ui, words, &mut changed, range_of("budget"), 0.001);
+    let changed = held(ui, "budget", "ms", budget, range_of("budget"));
     if changed != budget {
         choice.set_budget(world, Some(changed));
     }
@@ -105,6 +103,18 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
         ui.set_min_height(OUTCOME);
         ui.label(choice.outcome(&study.facts, time, budget));
     });
+}
+
+/// Lays out the number that is held. Returns what the user makes of it.
+fn held(ui: &mut Ui, name: &str, unit: &str, value: f64, range: RangeInclusive<f64>) -> f64 {
+    let mut changed = value;
+    ui.horizontal(|ui| {
+        ui.label(name).on_hover_text(about(name));
+        number(ui, &mut changed, range);
+        ui.label(unit);
+        ui.weak("[ ]");
+    });
+    changed
 }
 
 /// Shows the measured methods of this view. A click or Enter on a dot chooses one.

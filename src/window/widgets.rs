@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use egui::{
     Align, Align2, Area, Button, Color32, Context, DragValue, FontId, Frame, Label, Layout, Order,
-    Pos2, ProgressBar, Rect, Response, RichText, ScrollArea, Sense, Slider, TextStyle, Theme, Ui,
+    Pos2, ProgressBar, Rect, Response, RichText, ScrollArea, Sense, TextStyle, Theme, Ui,
     vec2,
 };
 use egui_plot::Plot;
@@ -61,7 +61,6 @@ pub fn apply_style(context: &Context) {
         style.spacing.item_spacing = vec2(6.0, 4.0);
         // Bars in sight say that there is more.
         style.spacing.scroll = egui::style::ScrollStyle::thin();
-        style.spacing.slider_width = 110.0;
         style.spacing.combo_width = 110.0;
         style.visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(200);
     });
@@ -154,35 +153,6 @@ pub fn vary_button(ui: &mut Ui, button: Button<'_>) -> bool {
     let says = "Shows the errors over the range of this number (\"Try a range\").";
     let button = ui.add(button.sense(Sense::CLICK));
     button.on_hover_text(says).clicked()
-}
-
-/// A slider for a number of any magnitude, between its name and its keys. `smallest` is the smallest number above 0.
-pub fn slider(
-    ui: &mut Ui,
-    [name, keys, says]: [&str; 3],
-    value: &mut f64,
-    range: RangeInclusive<f64>,
-    smallest: f64,
-) {
-    let (before, (least, most)) = (*value, range.clone().into_inner());
-    ui.horizontal(|ui| {
-        ui.label(name).on_hover_text(says);
-        // Number and keys beside it stay in sight.
-        ui.spacing_mut().slider_width = (ui.available_width() - 115.0).clamp(20.0, 110.0);
-        let slider = Slider::new(value, range)
-            .logarithmic(true)
-            .smallest_positive(smallest)
-            .custom_parser(typed)
-            .custom_formatter(format_number);
-        let response = ui.add(slider);
-        keep_digits(value, before);
-        // A tooltip would hide the rows that change.
-        if response.dragged() {
-            // As fine as a hand moves a slider.
-            *value = rounded(*value, 1).clamp(least, most);
-        }
-        ui.weak(keys);
-    });
 }
 
 /// Lays out a text, with room for the longest of several.
