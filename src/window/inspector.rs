@@ -4,19 +4,21 @@
 mod pixel;
 mod scene;
 mod vary;
-mod view;
 
 use egui::{Grid, Ui};
+use hecs::World;
 
 pub use self::pixel::section;
 pub use self::vary::Varied;
-pub use self::view::picture_action;
-use self::view::{camera_tab, pictures_tab};
 use super::app::App;
 use super::chart;
 use super::panel::{file_rows, scene_rows};
+use super::desk::Desk;
+use super::keys::{Action, EXACT_SIDES};
 use super::study::Study;
-use super::widgets::{INK, short, wait};
+use super::widgets::{INK, action_button, offer, short, wait};
+use crate::components::{Side, ViewMode, Viewer, viewer};
+use crate::questions::job::camera_name;
 use crate::questions::requires::{PartChange, ranked};
 use crate::scene::{LESSONS, title};
 
@@ -86,6 +88,59 @@ pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
     }
 }
 
+/// The action that shows what is shown now. Sides that the tags chose belong to none.
+pub fn picture_action(viewer: &Viewer) -> Option<Action> {
+    match viewer.show {
+        ViewMode::Wipe if viewer.sides == EXACT_SIDES => Some(Action::WipeExact),
+        ViewMode::Wipe if viewer.sides != Side::gouraud_phong(viewer.tolerance) => None,
+        mode => Some(Action::View(mode)),
+    }
+}
+
+/// The ways to show the picture, and the files of it.
+fn pictures_tab(ui: &mut Ui, world: &World, desk: &mut Desk) {
+    let shown = picture_action(&viewer(world));
+    ui.horizontal_wrapped(|ui| {
+        for action in [
+            Action::View(ViewMode::Picture),
+            Action::View(ViewMode::Wipe),
+            Action::WipeExact,
+            Action::View(ViewMode::Error),
+            Action::View(ViewMode::Tiles),
+            Action::View(ViewMode::Terms),
+        ] {
+            offer(ui, desk, action, Some(action) == shown);
+        }
+        let hold = action_button(ui, Action::Blink, desk.blinks.is_some());
+        let is_held = hold.is_pointer_button_down_on();
+        if is_held || ui.input(|input| input.pointer.any_released()) {
+            desk.blink_while(is_held);
+        }
+        for action in [Action::SavePicture, Action::Screenshot, Action::Panel] {
+            offer(ui, desk, action, false);
+        }
+    });
+}
+
+/// The active camera and its projection.
+fn camera_tab(ui: &mut Ui, world: &World, desk: &mut Desk) {
+    let Viewer {
+        projection, turns, ..
+    } = *viewer(world);
+    let camera = camera_name(world);
+    ui.label(format!("camera {camera}, {}", projection.name()));
+    ui.horizontal_wrapped(|ui| {
+        for (action, is_chosen) in [
+            (Action::NextCamera, false),
+            (Action::NextProjection, false),
+            (Action::Rotate, turns),
+            (Action::ShowAll, false),
+        ] {
+            offer(ui, desk, action, is_chosen);
+        }
+    });
+}
+
 /// A row for each part of the model, the one with the largest error first.
 fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
     ui.label(format!(
@@ -147,22 +202,14 @@ fn proof_tab(ui: &mut Ui, study: &Study) {
     let fact = &study.facts.proof;
     wait(ui, study, fact.is_current);
     let rows = fact.value.iter().flat_map(|(_, proof)| {
-        let [worst, widest] = [proof.worst, proof.widest_enclosure];
-        let off = proof.reference_error;
+        let worst = proof.worst;
         [
             (proof.proven.to_string(), "pixels proven"),
             (proof.in_squares.to_string(), "of them in whole squares"),
             (proof.undecided.to_string(), "pixels undecided"),
             (proof.gaps.to_string(), "pixels in gaps of touching faces"),
             (proof.refuted.to_string(), "pixels refuted"),
-            (proof.outline.to_string(), "pixels within 0.01 of an edge"),
-            (proof.covered.to_string(), "pixels with a cuboid"),
             (format!("{worst:.6}"), "levels, the largest proven error"),
-            (format!("{widest:.1e}"), "levels, the longest interval"),
-            (
-                format!("{off:.1e}"),
-                "levels, the error of the reference in f64",
-            ),
         ]
     });
     table(ui, "proof", |ui| {

@@ -144,7 +144,7 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
     let changes: [(&str, Change); 8] = [
         ("a check box", |it| click(it, "red")),
         ("a button", |it| click(it, "Phong")),
-        ("a choice", |it| click(it, "orthographic")),
+        ("a camera", |it| click(it, "next camera")),
         ("a number of the panel", |it| enter(it, "tolerance", 0, "2")),
         ("a number of the editor", |it| enter(it, "size", 1, "7.25")),
         ("a word of the editor", |it| click_inside(it, "face")),
