@@ -91,15 +91,6 @@ impl App {
         })
     }
 
-    /// The factor of the letters' size that the user chose with `Ctrl +`.
-    pub fn zoom(&self) -> f32 {
-        self.painter.context.zoom_factor()
-    }
-
-    pub fn set_zoom(&mut self, zoom: f32) {
-        self.painter.context.set_zoom_factor(zoom);
-    }
-
     /// The viewer of the scene.
     pub fn viewer(&self) -> Ref<'_, Viewer> {
         viewer(&self.document.scene.world)
@@ -193,7 +184,7 @@ impl App {
         self.document.keep(now, has_gesture(input, true));
         self.rotation.go_on(&mut self.document.scene.world, now);
         self.look_at_file(now);
-        let scale = self.zoom() * self.scale;
+        let scale = self.painter.context.zoom_factor() * self.scale;
         input.time = Some(now.as_secs_f64());
         input.screen_rect = Some(area(size) / scale);
         let viewport = input.viewports.entry(ViewportId::ROOT).or_default();

@@ -1,6 +1,5 @@
 //! The loop of the window: it decides when to step, to show the pixels again, and to sleep.
 
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -13,8 +12,6 @@ use super::app::App;
 use super::display::Display;
 use super::study::Runner;
 use super::unsaved::state_folder;
-use crate::output::Output;
-use crate::output::files::make_folders;
 use crate::questions::job::Drawing;
 
 /// The time between two polls while the user does something, so that short clicks are seen.
@@ -27,9 +24,6 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 /// has covered them. Less often if this would take more than one part in [`PRESENT_SHARE`] of the time.
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
-/// The file of the factor that the user chose with `Ctrl +`, in the folder of the program's state.
-const ZOOM: &str = "zoom";
-
 /// Shows `drawing` in a window of its size until the user quits.
 ///
 /// # Errors
@@ -51,8 +45,6 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
 struct Session {
     display: Display,
     app: App,
-    /// The folder of the program's state.
-    folder: PathBuf,
     start: Instant,
     title: String,
     /// Width and height of the window in pixels.
@@ -68,14 +60,11 @@ impl Session {
     fn open(drawing: Drawing) -> anyhow::Result<Self> {
         let display = Display::open("shadetrade", drawing.size)?;
         let mut app = App::new(drawing, Runner::Threads)?;
-        let folder = state_folder();
-        app.document.keep_edits(&folder);
+        app.document.keep_edits(&state_folder());
         app.scale = display.scale;
-        app.set_zoom(kept_zoom(&folder));
         Ok(Session {
             display,
             app,
-            folder,
             start: Instant::now(),
             title: String::new(),
             size: [0, 0],
@@ -146,7 +135,6 @@ impl Session {
             events: std::mem::take(&mut self.display.input.events),
             ..RawInput::default()
         };
-        let zoom = self.app.zoom();
         let output = self.app.step(now, self.size, input)?;
         self.due = now.saturating_add(output.repaint_after);
         let title = self.app.document.title();
@@ -160,32 +148,8 @@ impl Session {
                 self.app.desk.say(format!("not copied: {error:#}"));
             }
         }
-        if self.app.zoom() != zoom
-            && let Err(error) = keep_zoom(&self.folder, self.app.zoom())
-        {
-            self.app.desk.say(format!("{error:#}"));
-        }
         Ok(())
     }
-}
-
-/// The factor of the letters' size that is kept in `folder`, else 1.
-fn kept_zoom(folder: &Path) -> f32 {
-    let text = std::fs::read_to_string(folder.join(ZOOM)).unwrap_or_default();
-    let zoom = text.trim().parse().ok();
-    zoom.filter(|zoom| (0.2..=5.0).contains(zoom))
-        .unwrap_or(1.0)
-}
-
-/// Keeps the factor of the letters' size in `folder`.
-///
-/// # Errors
-/// If it cannot be written.
-fn keep_zoom(folder: &Path, zoom: f32) -> anyhow::Result<()> {
-    make_folders(folder)
-        .map_err(anyhow::Error::from)
-        .and_then(|()| Output::File(folder.join(ZOOM)).write(zoom.to_string()))
-        .context("the size of the letters is not kept")
 }
 
 /// Restarts the program with an environment in which minifb opens a window that can be used. Call it before anything is read.
