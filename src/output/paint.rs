@@ -2,10 +2,7 @@
 //!
 //! A pixel is `0x00RRGGBB`. Where egui has painted, its top byte is egui's alpha.
 
-use std::collections::BTreeSet;
-
-use egui::epaint::text::FontsView;
-use egui::{Color32, Context, FontId, FullOutput, RawInput, Rect, Ui, pos2};
+use egui::{Color32, Context, FullOutput, RawInput, Rect, Ui, pos2};
 use egui_software_backend::{BufferMutRef, ColorFieldOrder, EguiSoftwareRender};
 
 /// The state of egui, and a software rasterizer for its triangles.
@@ -61,23 +58,9 @@ pub fn annotate(pixels: &mut [u32], size: [usize; 2], draw: impl FnMut(&mut Ui))
     }
 }
 
-/// The letters of a text that the font lacks, each once. They are painted as boxes.
-pub fn missing_letters(text: &str) -> String {
-    let mut letters: BTreeSet<char> = text.chars().filter(|it| !it.is_ascii()).collect();
-    if !letters.is_empty() {
-        // A context has its fonts from the first pass on.
-        let _ = Context::default().run_ui(RawInput::default(), |ui| {
-            let lacks =
-                |fonts: &mut FontsView, letter: char| !fonts.has_glyph(&FontId::default(), letter);
-            ui.fonts_mut(|fonts| letters.retain(|letter| lacks(fonts, *letter)));
-        });
-    }
-    letters.into_iter().collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use egui::Align2;
+    use egui::{Align2, FontId};
 
     use super::*;
 

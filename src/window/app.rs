@@ -24,7 +24,6 @@ use super::document::Document;
 use super::file::INTERVAL;
 use super::inspector::Tab;
 use super::layout::{LOW, NARROW};
-use super::lesson::letters_warning;
 use super::study::{Runner, Study};
 use crate::components::{View, Viewer, viewer, viewer_mut};
 use crate::output::paint::{Painter, area};
@@ -76,7 +75,6 @@ impl App {
         if document.state.view.pixel.is_some() {
             desk.open(Tab::Pixel);
         }
-        desk.say_any(letters_warning(&document.scene.lesson));
         Ok(App {
             document,
             canvas,

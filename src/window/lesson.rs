@@ -23,7 +23,7 @@ use super::pictures::exact_view;
 use super::widgets::{BAD, GOOD, INK, button, number, offer, segment_buttons, short, text};
 use crate::components::numbers::range_of;
 use crate::components::{Light, Material, Name, ShadingMode, View, ViewMode, ordered, viewer};
-use crate::output::paint::{area, missing_letters};
+use crate::output::paint::area;
 use crate::output::progress::with_bar;
 use crate::output::words::counted;
 use crate::output::{Monitor, Output, memory, say};
@@ -185,20 +185,6 @@ fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, contro
     }
 }
 
-/// A warning about letters of a lesson that the font lacks.
-pub fn letters_warning(lesson: &[Step]) -> Option<String> {
-    let mut texts = String::new();
-    for step in lesson {
-        texts += &step.say;
-        if let Some(question) = &step.question {
-            texts += &question.answers.concat();
-            texts += &question.then;
-        }
-    }
-    let missing = missing_letters(&texts);
-    (!missing.is_empty()).then(|| format!("the font lacks these letters of the lesson: {missing}"))
-}
-
 /// Draws all steps of a lesson on a sheet: each with its picture, its sentence and the names in it.
 ///
 /// # Errors
@@ -207,9 +193,6 @@ pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
     let (size, lesson) = (drawing.size, &drawing.scene.lesson);
     let pixels = size[0] * size[1] * lesson.len().next_multiple_of(COLUMNS);
     memory::check(size, PIXEL * pixels)?;
-    if let Some(warning) = letters_warning(lesson) {
-        say(&warning);
-    }
     let mut canvas = Canvas::new(drawing.workers()?);
     canvas.place = area(size);
     let pictures = with_bar(async |monitor| {

@@ -5,7 +5,6 @@ use std::time::Duration;
 use super::app::App;
 use super::choice::Choice;
 use super::inspector::Tab;
-use super::lesson::letters_warning;
 use crate::components::ViewMode;
 use crate::output::encode_png;
 use crate::output::files::write_numbered;
@@ -32,8 +31,6 @@ impl App {
     /// Shows a document that was just opened.
     fn show_document(&mut self) {
         (self.desk.shows_rest, self.desk.answer) = (false, None);
-        self.desk
-            .say_any(letters_warning(&self.document.scene.lesson));
         self.study.clear();
         self.choice = Choice::default();
         self.desk.divider = None;
