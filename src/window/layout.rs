@@ -34,8 +34,9 @@ const HIGH: f32 = 900.0;
 const FOLDED: f32 = 22.0;
 /// The height of a row below the picture, in points.
 const ROW: f32 = 20.0;
-/// The letters above the picture, in points.
+/// The letters above the picture, in points, and those of the longest sentence.
 const LETTERS: f32 = 15.0;
+const LONGEST: usize = 80;
 
 const QUESTION: &str = "Same box, same lamps: where is the bright spot on the left?";
 const MIXED: &str = "The cuboids are shaded in different modes.";
@@ -56,7 +57,8 @@ impl App {
             Panel::top("lesson").show_inside(ui, |ui| heading(ui, document, desk));
             Panel::bottom("steps").show_inside(ui, |ui| self.lesson_controls(ui));
         } else if size.y >= LOW {
-            Panel::top("headline").show_inside(ui, |ui| self.headline(ui));
+            let question = self.question();
+            Panel::top("headline").show_inside(ui, |ui| text(ui, question, LONGEST, LETTERS));
         }
         self.viewport(ui);
         if self.desk.help {
@@ -104,20 +106,6 @@ impl App {
         side.default_size(usual)
             .size_range(LEAST.min(usual)..=most)
             .show_inside(ui, |ui| panel(ui, self));
-    }
-
-    /// Lays out the question, or the sentence about what is shown, with room for the longest.
-    fn headline(&self, ui: &mut Ui) {
-        let views = [
-            ViewMode::Wipe,
-            ViewMode::Error,
-            ViewMode::Tiles,
-            ViewMode::Terms,
-        ];
-        let views = views.map(|mode| says(Action::View(mode)));
-        let modes = ShadingMode::ALL.map(|mode| says(Action::Shading(mode)));
-        let all = [QUESTION].into_iter().chain(views).chain(modes);
-        text(ui, self.question(), all, LETTERS);
     }
 
     /// The question that the picture raises: where a highlight is that one of two pictures lacks. Else the sentence about what is

@@ -113,9 +113,8 @@ pub fn heading(ui: &mut Ui, document: &Document, desk: &mut Desk) {
             button(ui, desk, "leave", Action::Close);
         }
     });
-    // Room for the longest sentence, so that the picture keeps its size.
-    let says = lesson.iter().map(|step| &*step.say);
-    text(ui, &step.say, says, letters);
+    let longest = lesson.iter().map(|step| step.say.len()).max();
+    text(ui, &step.say, longest.unwrap_or_default(), letters);
     if let Some(question) = &step.question {
         answers(ui, question, desk, ANSWERS * letters);
     }
@@ -137,7 +136,7 @@ fn answers(ui: &mut Ui, question: &Question, desk: &mut Desk, letters: f32) {
         }
     });
     let then = desk.answer.map_or("", |_| &question.then);
-    text(ui, then, [&*question.then].into_iter(), letters);
+    text(ui, then, question.then.len(), letters);
 }
 
 /// Lays out a control of a step.

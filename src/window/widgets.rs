@@ -4,7 +4,7 @@ use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::{
-    Align, Align2, Area, Button, Color32, Context, DragValue, FontId, Frame, Label, Layout, Order,
+    Align2, Area, Button, Color32, Context, DragValue, FontId, Frame, Label, Order,
     Pos2, ProgressBar, Rect, Response, RichText, ScrollArea, Sense, TextStyle, Theme, Ui,
     vec2,
 };
@@ -155,20 +155,13 @@ pub fn vary_button(ui: &mut Ui, button: Button<'_>) -> bool {
     button.on_hover_text(says).clicked()
 }
 
-/// Lays out a text, with room for the longest of several.
-pub fn text<'a>(ui: &mut Ui, shown: &str, all: impl Iterator<Item = &'a str>, letters: f32) {
-    let font = FontId::proportional(letters);
-    let width = ui.available_width();
-    let heights = all.map(|text| {
-        let text = ui
-            .painter()
-            .layout(text.to_owned(), font.clone(), INK, width);
-        text.size().y
-    });
-    let size = vec2(width, heights.fold(0.0, f32::max));
-    ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
-        ui.set_min_size(size);
-        let text = RichText::new(shown).font(font.clone()).color(INK);
+/// Lays out a text in the room that one of `longest` letters takes, so that what is below keeps its place.
+pub fn text(ui: &mut Ui, shown: &str, longest: usize, letters: f32) {
+    // A letter is half as wide as it is high, and a row ends before its last word.
+    let rows = (longest as f32 * 0.56 * letters / ui.available_width()).ceil();
+    ui.vertical(|ui| {
+        ui.set_min_height(rows * 1.3 * letters);
+        let text = RichText::new(shown).size(letters).color(INK);
         ui.add(Label::new(text).wrap());
     });
 }
