@@ -16,7 +16,7 @@ use crate::questions::requires::segments::fewest_segments;
 use crate::questions::requires::more_changes;
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::verdict::is_sure;
-use crate::questions::trade::{Request, measure};
+use crate::questions::trade::{Request, is_timed, measure};
 use crate::shading::{Method, methods};
 
 /// The parts of the model that are left out, or the values of a number that are drawn, before the window shows the result.
@@ -219,10 +219,10 @@ fn proven_views(sides: [Side; 2], view: &View) -> Vec<View> {
     if drawn.is_empty() { vec![*view] } else { drawn }
 }
 
-/// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
+/// The methods that are measured: those of reports that are timed, the one on screen, and those on the sides of a wipe.
 fn wanted_methods(subject: &Subject) -> Vec<Method> {
     let own = subject.record.cuboid.iter().map(|it| it.segments);
-    let mut methods: Vec<Method> = methods(alike(own)).collect();
+    let mut methods: Vec<Method> = methods(alike(own)).filter(|it| is_timed(*it)).collect();
     for method in subject.method.into_iter().chain(side_methods(subject)) {
         if !methods.contains(&method) {
             methods.push(method);

@@ -10,8 +10,7 @@
 use std::ops::RangeInclusive;
 
 use egui::{
-    Align2, Color32, FontId, Label, Pos2, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, WidgetType,
-    vec2,
+    Color32, Label, Pos2, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2,
 };
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 use hecs::World;
@@ -42,30 +41,22 @@ const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
                        the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
                        line the budget. A click on a dot chooses its method. Below half \
-                       a level no displayed value changes by more than one of 255, above one level some do. A paler dot is beaten by another method; one at the right edge is not timed. Frames are drawn by all cores, or as many as --threads says; `trade` \
+                       a level no displayed value changes by more than one of 255, above one level, on the red ground, some do. A paler dot is beaten by another method. Frames are drawn by all cores, or as many as --threads says; `trade` \
                        uses one.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
-/// The words on the band of errors above one level, and their room beside other words, in points.
-const BAND: &str = "error above 1";
-const BAND_ROOM: f32 = 70.0;
 
 /// A time in ms and an error in levels on the axes, which are logarithmic. A clock that does not tell times apart gives 0.
 fn logarithms((time, error): (f64, f64)) -> [f64; 2] {
     [time.max(1e-6).log10(), error.log10()]
 }
 
-/// The time at which methods that are not timed are shown: right of all others.
-fn side(known: &[Measurement]) -> f64 {
-    2.0 * known.iter().map(|it| it.timing.median).fold(0.0, f64::max)
-}
-
 /// The place of a method's dot.
-fn place(one: &Measurement, side: f64) -> [f64; 2] {
-    logarithms(place_of(one, side))
+fn place(one: &Measurement) -> [f64; 2] {
+    logarithms(place_of(one, 0.0))
 }
 
 /// Lays out the chart, and either the tolerance or the budget.
@@ -130,10 +121,15 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
         (false, None) => "times follow".to_owned(),
         _ => "up: error, levels; right: ms".to_owned(),
     };
-    let label = Label::new(RichText::new(caption).small()).truncate();
-    ui.add(label).on_hover_text(CAPTION);
+    ui.horizontal(|ui| {
+        ui.colored_label(GOURAUD, RichText::new("Gouraud").small());
+        ui.colored_label(PHONG, RichText::new("Phong").small());
+        let label = Label::new(RichText::new(caption).small()).truncate();
+        ui.add(label).on_hover_text(CAPTION);
+    });
     let measured = trade.current().map_or(&[][..], |it| &it.methods).iter();
-    let known: Vec<_> = measured.filter(|it| it.error.is_some()).cloned().collect();
+    let is_shown = |it: &&Measurement| it.error.is_some() && is_timed(it.method);
+    let known: Vec<_> = measured.filter(is_shown).cloned().collect();
     let mut axes = axes().width(ui.available_width() - BESIDE);
     if known.is_empty() {
         axes = axes.include_x(-1.0).include_x(1.0);
@@ -152,19 +148,8 @@ pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
         })
     });
     let shown = shown.inner;
-    let room = shown.response.rect.shrink2(vec2(3.0, 2.0));
-    let write = |at: Pos2, align: Align2, text: &str, ink: Color32| {
-        let letters = FontId::proportional(10.0);
-        ui.painter().text(at, align, text, letters, ink).right_top()
-    };
-    let gap = vec2(6.0, 0.0);
-    let gouraud = write(room.left_top(), Align2::LEFT_TOP, "Gouraud", GOURAUD);
-    let phong = write(gouraud + gap, Align2::LEFT_TOP, "Phong", PHONG);
-    if room.right() - phong.x > BAND_ROOM {
-        write(room.right_top(), Align2::RIGHT_TOP, BAND, Color32::GRAY);
-    }
     for one in &known {
-        let place = PlotPoint::from(place(one, side(&known)));
+        let place = PlotPoint::from(place(one));
         let at = shown.transform.position_from_point(&place);
         if dot(ui, one, at) {
             choose_method(world, one.method);
@@ -200,12 +185,8 @@ fn dot(ui: &Ui, one: &Measurement, at: Pos2) -> bool {
         ui.painter().circle_stroke(at, DOT + 2.0, line);
     }
     let error = short(one.largest_error());
-    let time = if is_timed(one.method) {
-        format!("{} ms", short(one.timing.median))
-    } else {
-        "not timed".to_owned()
-    };
-    let text = format!("{}: {time}, off by {error} of 255", capital(&name));
+    let time = short(one.timing.median);
+    let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
     response.on_hover_text(text).clicked()
 }
 
@@ -246,7 +227,6 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
         let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
     };
-    let place = |one| place(one, side(known));
     let front: Vec<[f64; 2]> = front(known).into_iter().map(place).collect();
     let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
     let staircase = front.windows(2).flat_map(step).collect();
@@ -257,10 +237,8 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
         let strength = if one.on_front { 1.0 } else { 0.6 };
         let ink = mode_ink(one.method.mode).gamma_multiply(strength);
         let [_, y] = place(one);
-        if is_timed(one.method) {
-            let ends = one.timing.interval.map(|time| logarithms((time, 1.0))[0]);
-            plot.line(line(ends.map(|end| [end, y]).to_vec(), ink));
-        }
+        let ends = one.timing.interval.map(|time| logarithms((time, 1.0))[0]);
+        plot.line(line(ends.map(|end| [end, y]).to_vec(), ink));
         let dot = Points::new("", vec![place(one)]).radius(DOT).color(ink);
         plot.points(dot.allow_hover(false));
     }

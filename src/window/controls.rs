@@ -85,11 +85,8 @@ pub fn step_segments(world: &mut World, steps: i32) -> Option<String> {
     None
 }
 
-/// Shades every cuboid by a method. One that the reference draws is no shading mode of scenes: a wipe compares it.
+/// Shades every cuboid by a method of the renderer.
 pub fn choose_method(world: &mut World, method: Method) {
-    if !method.mode.is_drawn() {
-        return wipe(world, [Side::from(method), Side::Picture]);
-    }
     shade(world, method.mode);
     if method.mode != ShadingMode::Flat {
         set_tolerance(world, method.tolerance);

@@ -15,7 +15,7 @@ use shadetrade::questions::requires::part_changes;
 use shadetrade::questions::requires::segments::fewest_segments;
 use shadetrade::questions::trade::timing::MIN_SAMPLES;
 use shadetrade::questions::trade::verdict::method_name;
-use shadetrade::questions::trade::{LeftOut, Measured, Measurement};
+use shadetrade::questions::trade::{LeftOut, Measured, Measurement, is_timed};
 use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::window::app::App;
@@ -92,27 +92,24 @@ fn open() -> Window {
     Window::with(app_with_trade(SIZE), SIZE)
 }
 
-/// The positions of the dots in the window, in the order of [`plain`].
-fn dots() -> Vec<Pos2> {
+/// The methods of [`plain`] that are timed, each with the position of its dot.
+fn dots() -> Vec<(Method, Pos2)> {
     let harness = widgets(app_with_trade(SIZE), SIZE);
-    let dot = |method: &Method| {
-        let label = format!("choose {}", method_name(*method));
-        places(&harness, &label)[0]
+    let dot = |method: Method| {
+        let label = format!("choose {}", method_name(method));
+        (method, places(&harness, &label)[0])
     };
-    plain().iter().map(dot).collect()
+    let timed = plain().into_iter().filter(|it| is_timed(*it));
+    timed.map(dot).collect()
 }
 
 #[test]
 fn dots_lie_by_time_and_error() {
-    let (dots, measured) = (dots(), measured());
-    for (one, at) in measured.iter().zip(&dots) {
-        for (other, there) in measured.iter().zip(&dots) {
-            // What is not timed lies right of all others.
-            let time = |it: &Measurement| {
-                let is_timed = it.method.mode.is_drawn();
-                if is_timed { it.timing.median } else { 100.0 }
-            };
-            let is_faster = time(one) < time(other);
+    let (dots, mut measured) = (dots(), measured());
+    measured.retain(|it| is_timed(it.method));
+    for (one, (_, at)) in measured.iter().zip(&dots) {
+        for (other, (_, there)) in measured.iter().zip(&dots) {
+            let is_faster = one.timing.median < other.timing.median;
             assert!(!is_faster || at.x < there.x, "{one:?}, {other:?}");
             let errs_more = one.largest_error() > other.largest_error();
             assert!(!errs_more || at.y < there.y, "{one:?}, {other:?}");
@@ -123,16 +120,9 @@ fn dots_lie_by_time_and_error() {
 #[test]
 fn a_click_on_a_dot_chooses_its_method() {
     let mut window = open();
-    for (method, at) in plain().iter().zip(dots()) {
+    for (method, at) in dots() {
         window.click(at);
-        if method.mode.is_drawn() {
-            assert_eq!(window.app.method(), Some(*method));
-        } else {
-            let viewer = window.app.viewer();
-            assert_eq!(viewer.show, ViewMode::Wipe);
-            let side = Side::from(*method);
-            assert!(viewer.sides.contains(&side), "no scene asks for it");
-        }
+        assert_eq!(window.app.method(), Some(method));
     }
 }
 
@@ -324,7 +314,8 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     run(&mut app, |app| app.study.facts.proof.current().is_some());
     let measured = app.study.facts.trade.current().expect("an answer");
     let found: Vec<Method> = measured.methods.iter().map(|it| it.method).collect();
-    let known: Vec<Method> = methods(Some(Segments::default())).collect();
+    let all = methods(Some(Segments::default()));
+    let known: Vec<Method> = all.filter(|it| is_timed(*it)).collect();
     assert_eq!(found, known);
     let [shown, beside] = [0.7, 0.3].map(|tolerance| Method::of(Phong, tolerance));
     let world = &mut app.document.scene.world;
