@@ -16,7 +16,7 @@ use egui::util::undoer::{Settings, Undoer};
 
 use super::file::SceneFile;
 use super::unsaved::Unsaved;
-use crate::components::{Name, Orbit, Viewer, viewer, viewer_mut};
+use crate::components::{Viewer, viewer, viewer_mut};
 use crate::output::quoted;
 use crate::scene::key;
 use crate::scene::{Scene, SceneRecord};
@@ -150,36 +150,25 @@ impl Document {
         None
     }
 
-    /// Takes the scene as its file has it now. The camera and the view stay where they are, unless the file moved them.
-    pub fn reload(&mut self, mut scene: Scene) -> String {
+    /// Takes the scene as its file has it now. Cameras and the view stay as they are, unless the file changed one of them.
+    pub fn reload(&mut self, mut scene: Scene) -> &'static str {
         let (saved, had_edits) = (Arc::clone(&self.file.saved), self.is_edited());
-        let find = |record: &SceneRecord, name: &str| {
-            let own = record.camera.iter().find(|it| it.name == name);
-            own.map(|it| it.orbit)
-        };
-        for (Name(name), orbit) in scene.world.query_mut::<(&Name, &mut Orbit)>() {
-            if find(&saved, name) == Some(*orbit) {
-                *orbit = find(&self.state, name).unwrap_or(*orbit);
-            }
+        let mut record = SceneRecord::clone(&scene.record);
+        if (&record.view, &record.camera) == (&saved.view, &saved.camera) {
+            record.view = self.state.view.clone();
+            record.camera.clone_from(&self.state.camera);
         }
-        let mut own = viewer_mut(&mut scene.world);
-        if *own == saved.view {
-            let mut view = self.state.view.clone();
-            let is_there = |name: &String| find(&scene.record, name).is_some();
-            view.camera = view.camera.filter(is_there).or(own.camera.take());
-            *own = view;
-        }
-        own.turns = viewer(&self.scene.world).turns;
-        drop(own);
-        let new_name = std::mem::take(&mut self.file.new_name);
+        let turns = viewer(&self.scene.world).turns;
+        scene.world = record.spawn();
+        viewer_mut(&mut scene.world).turns = turns;
         self.file = SceneFile::of(&scene);
-        self.file.new_name = new_name;
         let lesson = Arc::clone(&self.scene.lesson);
         self.scene = Scene { lesson, ..scene };
         if had_edits {
-            return "read the file again; Ctrl Z brings your edits back".to_owned();
+            "read the file again; Ctrl Z brings your edits back"
+        } else {
+            "read the file again"
         }
-        "read the file again".to_owned()
     }
 
     /// The path that [`Document::save`] writes.

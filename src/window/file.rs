@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use anyhow::{bail, ensure};
+use anyhow::bail;
 
 use crate::output::Output;
 use crate::output::files::{self, Stamp, stamp, write_numbered};
@@ -18,8 +18,8 @@ type Seen = Option<Stamp>;
 
 /// The state of the scene's file, as it was seen last; or of the text of a built-in scene.
 pub struct SceneFile {
-    /// The name of the next new file, without its ending.
-    pub new_name: String,
+    /// The name of new files, without ending and number.
+    stem: String,
     /// The scene as the file has it.
     pub saved: Arc<SceneRecord>,
     seen: Seen,
@@ -34,7 +34,7 @@ impl SceneFile {
     /// The file of a scene that was just read.
     pub fn of(scene: &Scene) -> Self {
         SceneFile {
-            new_name: stem(Path::new(&scene.name)),
+            stem: stem(Path::new(&scene.name)),
             saved: Arc::clone(&scene.record),
             seen: scene.path.as_deref().and_then(stamp),
             is_wrong: false,
@@ -67,17 +67,9 @@ impl SceneFile {
         })
     }
 
-    /// The name of the next new file, without its ending and without a number.
-    fn stem(&self) -> String {
-        let typed = self.new_name.replace(char::is_control, "_");
-        let name = typed.trim();
-        name.strip_suffix(".toml").unwrap_or(name).to_owned()
-    }
-
     /// The path of the next new file in `folder`.
     pub fn next_path(&self, folder: &Path) -> PathBuf {
-        let stem = self.stem();
-        let mut paths = (1..).map(|number| folder.join(numbered(&stem, number)));
+        let mut paths = (1..).map(|number| folder.join(numbered(&self.stem, number)));
         paths.find(|it| !it.exists()).unwrap_or_default()
     }
 
@@ -102,9 +94,7 @@ impl SceneFile {
                 path
             }
             None => {
-                let stem = self.stem();
-                ensure!(!stem.is_empty(), "a new file needs a name");
-                let name = |number| numbered(&stem, number);
+                let name = |number| numbered(&self.stem, number);
                 write_numbered(folder, name, text.as_bytes())?
             }
         };

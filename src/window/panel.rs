@@ -28,9 +28,6 @@ const LIGHTS: f32 = 140.0;
 /// In a lower window, in points, the headings are one row.
 const ONE_ROW: f32 = 650.0;
 
-const NEW_NAME: &str = "The name of the next new file, without .toml; a path is allowed. \
-                        A number is added if the name is taken.";
-
 /// Lays out what is always in sight, and the headings below.
 pub fn panel(ui: &mut Ui, app: &mut App) {
     let App {
@@ -169,7 +166,7 @@ pub fn scene_rows(
 }
 
 /// The list of scenes, undo, and the scene's file.
-pub fn file_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
+pub fn file_rows(ui: &mut Ui, document: &Document, desk: &mut Desk) {
     let scenes = CollapsingHeader::new("other scenes");
     scenes.show_unindented(ui, |ui| {
         let scroll = ScrollArea::vertical().id_salt("scenes").max_height(SCENES);
@@ -181,16 +178,11 @@ pub fn file_rows(ui: &mut Ui, document: &mut Document, desk: &mut Desk) {
         });
     });
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::Undo, Action::Redo, Action::Save] {
+        for action in [Action::Undo, Action::Redo, Action::Save, Action::SaveAs] {
             offer(ui, desk, action, false);
         }
     });
     path_row(ui, Action::Save, &document.target(false));
-    ui.horizontal(|ui| {
-        offer(ui, desk, Action::SaveAs, false);
-        let field = ui.text_edit_singleline(&mut document.file.new_name);
-        field.on_hover_text(NEW_NAME);
-    });
     path_row(ui, Action::SaveAs, &document.target(true));
 }
 
