@@ -14,9 +14,8 @@ impl App {
         let world = &self.document.scene.world;
         self.canvas.fit(world, &viewer(world));
         self.outdate();
-        let last = self.canvas.last_frame(&self.document.state);
         let budget = self.viewer().budget;
-        self.choice.hold(budget, &self.study.facts, last);
+        self.choice.hold(budget, &self.study.facts);
         // It may have changed the method.
         self.outdate();
         let (view, method) = (self.view(), self.method());

@@ -120,12 +120,6 @@ impl App {
         self.choice.method(&self.document.scene.world)
     }
 
-    /// The milliseconds of a frame on screen: measured, or the last one's until that is done.
-    pub fn milliseconds(&self) -> Option<f64> {
-        let measured = self.study.facts.measured_time(self.method());
-        measured.or(self.canvas.pictures.time)
-    }
-
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
         let facts = &self.study.facts;

@@ -28,7 +28,7 @@ use crate::output::chart::ticks;
 use crate::output::words::capital;
 use crate::questions::trade::plot::{FLOOR, place_of, vertices};
 use crate::questions::trade::verdict::{UNSEEN, method_name, sentence};
-use crate::questions::trade::{Measurement, front, is_timed};
+use crate::questions::trade::{Measurement, budget, front, is_timed};
 use crate::shading::Method;
 
 /// The heights of the sentence and of the chart, in points. They are fixed, so that the rows below do not move.
@@ -61,7 +61,6 @@ fn place(one: &Measurement) -> [f64; 2] {
 
 /// Lays out the chart, and either the tolerance or the budget.
 pub fn tab(ui: &mut Ui, app: &mut App) {
-    let time = app.milliseconds();
     let (world, study) = (&mut app.document.scene.world, &app.study);
     let choice = &mut app.choice;
     if app.desk.shows_times {
@@ -92,7 +91,9 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
     }
     ui.scope(|ui| {
         ui.set_min_height(OUTCOME);
-        ui.label(choice.outcome(&study.facts, time, budget));
+        let known = study.facts.trade.current();
+        let held = known.and_then(|it| budget::held(&it.methods, budget));
+        ui.label(held.map_or_else(|| "The methods are not measured yet.".to_owned(), |it| it.1));
     });
 }
 

@@ -115,13 +115,6 @@ fn format_number(value: f64, _: RangeInclusive<usize>) -> String {
     }
 }
 
-/// A number that was typed or pasted, with a decimal point or comma, and with the minus of print (U+2212) for -.
-fn typed(text: &str) -> Option<f64> {
-    let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
-    let number = plain.parse().ok();
-    number.filter(|number: &f64| number.is_finite())
-}
-
 /// A number that is dragged, or clicked and typed. A drag changes it in proportion to its size.
 pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Response {
     let (before, speed) = (*value, (value.abs() * 0.01).max(0.01));
@@ -130,7 +123,6 @@ pub fn number(ui: &mut Ui, value: &mut f64, range: RangeInclusive<f64>) -> Respo
         .range(range)
         // A number that is being typed is not the number that is meant.
         .update_while_editing(false)
-        .custom_parser(typed)
         .custom_formatter(format_number);
     let response = ui.add(drag);
     keep_digits(value, before);

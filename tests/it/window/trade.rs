@@ -177,7 +177,6 @@ fn a_trade_belongs_to_a_view_with_any_method_on_screen_and_a_comparison_to_a_pic
 fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     let mut window = open();
     let start = window.record();
-    assert_eq!(window.app.milliseconds(), Some(0.2), "as measured");
     // As much time as Gouraud takes.
     window.press(Key::M);
     let budget = window.app.viewer().budget;
@@ -206,7 +205,7 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.5)));
     window.press(Key::CloseBracket);
     assert_eq!(window.app.method(), Some(Method::of(Phong, 1.0)));
-    // The error is held again, as before.
+    // The error is held again.
     window.press(Key::M);
     assert_eq!(window.record(), start);
     window.press(Key::M);
@@ -216,20 +215,15 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
 }
 
 #[test]
-fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_not() {
+fn a_budget_is_held_by_the_last_measurement_and_else_the_tolerance() {
     let mut window = open();
     set_budget(&mut window, 0.6);
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
-    // Measurements of another view say nothing about this one, and nothing moves.
+    // Those of an earlier view are the best that is known while things move.
     window.app.study.facts.trade.is_current = false;
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
-    // No frame of this picture takes so little time.
-    set_budget(&mut window, 0.0011);
-    window.key(Key::ArrowLeft, true);
-    assert_eq!(window.app.method(), Some(Method::of(Flat, 0.0)));
-    assert_eq!(window.record().view.budget, Some(0.0011));
     // Where nothing is measured, the tolerance is drawn.
     let mut other = Window::of(Scene::spawn("other".to_owned(), &window.record()), SIZE);
     other.press(Key::ArrowLeft);

@@ -218,7 +218,7 @@ pub fn numbers_are_typed_within_their_range() {
     for (label, column, text, wanted) in [
         ("size", 1, "7.25", 7.25),
         ("size", 0, "-3", 4.0),
-        ("position", 2, "-1,5e3", -1500.0),
+        ("position", 2, "-1.5e3", -1500.0),
         ("position", 1, "\u{2212}2", -2.0),
         ("size", 2, "nan", 2.0),
     ] {
