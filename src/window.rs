@@ -3,18 +3,16 @@
 //! ```text
 //! minifb --reports--> input --events of egui--> App::step --pixels, effects--> minifb
 //!                                                  |
-//!                   document, canvas, study, choice, desk <--written and shown by-- keys, panel, inspector, viewport
+//!                   document, canvas, study, desk <--written and shown by-- keys, panel, inspector, viewport
 //! ```
 //! A step is taken when something happens; else nothing is laid out, drawn or painted. `display` and [`run`] need a display;
 //! a page in a browser has its own, and the crate in `web/` runs the steps.
 
 mod actions;
-mod answers;
 pub mod app;
 mod ask;
 pub mod canvas;
 pub mod chart;
-pub mod choice;
 pub mod comparison;
 pub mod controls;
 pub mod desk;

@@ -72,9 +72,9 @@ impl App {
             Action::Shading(mode) => controls::shade(world, mode),
             Action::FaceNormals => controls::switch_normals(world),
             Action::Segments(steps) => self.desk.say_any(controls::step_segments(world, steps)),
-            Action::Tolerance(steps) => self.desk.say_any(self.choice.step(world, steps)),
+            Action::Tolerance(steps) => self.desk.say_any(controls::step_tolerance(world, steps)),
             Action::HoldTime => {
-                self.choice.switch(world, &self.study.facts);
+                controls::switch_budget(world, &self.study.facts);
                 self.desk.open(Tab::Time);
             }
             Action::NextProjection => controls::next_projection(world),

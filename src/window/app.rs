@@ -4,8 +4,8 @@
 //!   events                                          desk  open, folded, selected, said
 //!     |                                             |
 //!     v                                             v
-//!   keys, panels --write--> World (document) --> choice --> canvas --copied--> pixels <--painted-- egui
-//!                                 |             method       draws
+//!   keys, panels --write--> World (document) --method--> canvas --copied--> pixels <--painted-- egui
+//!                                 |                          draws
 //!                                 '--change--> study  questions, facts
 //! ```
 //! [`App`] owns these parts and carries values between them.
@@ -17,14 +17,14 @@ use egui::{Event, FullOutput, OutputCommand, RawInput, ViewportId};
 use hecs::{Ref, RefMut};
 
 use super::canvas::{Canvas, REST};
-use super::choice::Choice;
-use super::controls::Rotation;
+use super::controls::{Rotation, held_method, shown_method};
 use super::desk::{Desk, TURN};
 use super::document::Document;
+use super::facts::change;
 use super::file::INTERVAL;
 use super::inspector::Tab;
 use super::layout::{LOW, NARROW};
-use super::study::{Runner, Study};
+use super::study::{Runner, Study, Subject};
 use crate::components::{View, Viewer, viewer, viewer_mut};
 use crate::output::paint::{Painter, area};
 use crate::questions::job::Drawing;
@@ -36,7 +36,6 @@ pub struct App {
     pub document: Document,
     pub canvas: Canvas,
     pub study: Study,
-    pub choice: Choice,
     pub desk: Desk,
     pub(super) rotation: Rotation,
     painter: Painter,
@@ -79,7 +78,6 @@ impl App {
             document,
             canvas,
             study: Study::new(runner)?,
-            choice: Choice::default(),
             desk,
             rotation: Rotation::default(),
             painter,
@@ -112,12 +110,15 @@ impl App {
     /// The view that is drawn.
     pub fn view(&self) -> View {
         let world = &self.document.scene.world;
-        self.choice.view(world, &self.canvas)
+        let mut view = View::of(world, self.canvas.size());
+        view.camera = view.camera.widened(self.canvas.fit);
+        let held = held_method(world, &self.study.facts);
+        held.map_or(view, |method| method.view(&view))
     }
 
     /// The method on screen; `None` where the cuboids have different modes.
     pub fn method(&self) -> Option<Method> {
-        self.choice.method(&self.document.scene.world)
+        shown_method(&self.document.scene.world, &self.study.facts)
     }
 
     /// The picture as it is shown, 0x00RRGGBB.
@@ -202,6 +203,59 @@ impl App {
             edits.map(|due| due.saturating_sub(now)),
         ];
         waits.into_iter().flatten().min().unwrap_or(Duration::MAX)
+    }
+
+    /// Draws the present picture, and asks the questions about it.
+    fn draw(&mut self) -> anyhow::Result<()> {
+        let world = &self.document.scene.world;
+        self.canvas.fit(world, &viewer(world));
+        self.outdate();
+        let (view, method) = (self.view(), self.method());
+        let side = |pixel: [usize; 2]| (pixel, self.canvas.side_at(&self.viewer(), pixel[0]));
+        let pixel = self.pixel().map(side);
+        let Document { scene, state, .. } = &mut self.document;
+        self.canvas
+            .draw(self.desk.now, &mut scene.world, state, view)?;
+        let subject = Subject {
+            name: &scene.name,
+            record: state,
+            view,
+            fit: self.canvas.fit,
+            pixel,
+            method,
+            workers: self.canvas.pictures.frame.workers(),
+            rests: self.canvas.rests(),
+        };
+        self.study.ask(&subject, &self.desk);
+        if !self.study.is_live() {
+            self.receive(self.desk.now);
+        }
+        Ok(())
+    }
+
+    /// Outdates the facts that are not those of the picture to be drawn.
+    fn outdate(&mut self) {
+        if let Some((state, view)) = &self.canvas.drawn {
+            let present = (&self.document.state, &self.view());
+            self.study.outdate(change((state, view), present));
+        }
+    }
+
+    /// Takes the answers that were found. Returns whether the window has to be drawn again, also for progress.
+    pub fn receive(&mut self, now: Duration) -> bool {
+        let is_new = self.study.receive(now);
+        let failure = self.study.take_failure();
+        self.desk.say_any(failure);
+        if is_new && std::mem::take(&mut self.desk.awaits_worst) {
+            self.explain_worst();
+        }
+        is_new
+    }
+
+    /// Works on questions for `piece`, where no thread does. Returns whether the window has to be drawn again.
+    pub fn carry_on(&mut self, now: Duration, piece: Duration) -> bool {
+        self.study.carry_on(piece);
+        self.receive(now)
     }
 
     /// Notes the state that keys and widgets made, and outdates the facts about the one before. An explained pixel opens its heading.

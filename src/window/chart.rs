@@ -16,8 +16,7 @@ use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points
 use hecs::World;
 
 use super::app::App;
-use super::choice::Choice;
-use super::controls::{choose_method, set_tolerance};
+use super::controls::{choose_method, set_budget, set_tolerance, shown_method};
 use super::help::about;
 use super::keys::Action;
 use super::study::Study;
@@ -62,9 +61,8 @@ fn place(one: &Measurement) -> [f64; 2] {
 /// Lays out the chart, and either the tolerance or the budget.
 pub fn tab(ui: &mut Ui, app: &mut App) {
     let (world, study) = (&mut app.document.scene.world, &app.study);
-    let choice = &mut app.choice;
     if app.desk.shows_times {
-        chart(ui, study, choice, world);
+        chart(ui, study, world);
     }
     let Viewer {
         budget, tolerance, ..
@@ -73,7 +71,7 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
         let error = ui.selectable_label(budget.is_none(), "hold the error");
         let says = "Every picture is drawn within the tolerance, however long it takes.";
         if error.on_hover_text(says).clicked() {
-            choice.set_budget(world, None);
+            set_budget(world, None);
         }
         offer(ui, &mut app.desk, Action::HoldTime, budget.is_some());
     });
@@ -87,7 +85,7 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
     };
     let changed = held(ui, "budget", "ms", budget, range_of("budget"));
     if changed != budget {
-        choice.set_budget(world, Some(changed));
+        set_budget(world, Some(changed));
     }
     ui.scope(|ui| {
         ui.set_min_height(OUTCOME);
@@ -110,9 +108,9 @@ fn held(ui: &mut Ui, name: &str, unit: &str, value: f64, range: RangeInclusive<f
 }
 
 /// Shows the measured methods of this view. A click or Enter on a dot chooses one.
-pub fn chart(ui: &mut Ui, study: &Study, choice: &Choice, world: &mut World) {
+pub fn chart(ui: &mut Ui, study: &Study, world: &mut World) {
     let trade = &study.facts.trade;
-    let method = choice.method(world);
+    let method = shown_method(world, &study.facts);
     ui.allocate_ui(vec2(ui.available_width(), SENTENCE), |ui| {
         ui.set_min_height(SENTENCE);
         sentence_about(ui, trade.current().map_or(&[], |it| &it.methods), method);

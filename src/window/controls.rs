@@ -6,16 +6,23 @@ use std::time::Duration;
 
 use hecs::World;
 
+use super::facts::Facts;
 use super::keys::TOLERANCES;
+use crate::components::numbers::range_of;
 use crate::components::{
     Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, View, ViewMode,
     Viewer, active_camera, common, get, names, ordered, overwrite, viewer, viewer_mut,
 };
-use crate::output::words::counted;
+use crate::output::words::{counted, rounded};
 use crate::questions::job::camera_name;
+use crate::questions::trade::budget::held;
 use crate::scene::unseen::shows_all;
 use crate::shading::Method;
 
+/// The factor of a budget from one press of a key to the next.
+const BUDGET_STEP: f64 = 1.25;
+/// The budget where no time is known, in milliseconds.
+const FIRST_BUDGET: f64 = 1.0;
 /// The time in which a rotating cuboid turns by one degree, as in the assignment's program.
 const DEGREE: Duration = Duration::from_millis(30);
 
@@ -96,12 +103,17 @@ pub fn choose_method(world: &mut World, method: Method) {
     }
 }
 
-/// From this tolerance on, in levels, squares are plain to see.
-const PLAIN: f64 = 64.0;
-
-/// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive.
+/// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive; with a budget, to a shorter time.
 pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
-    let present = viewer(world).tolerance;
+    let Viewer {
+        tolerance: present,
+        budget,
+        ..
+    } = *viewer(world);
+    if let Some(budget) = budget {
+        set_budget(world, Some(budget * BUDGET_STEP.powi(-steps)));
+        return None;
+    }
     let mut tolerances = TOLERANCES.into_iter();
     let next = if steps > 0 {
         tolerances.find(|next| *next > present)
@@ -117,7 +129,7 @@ pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
         return Some(limit.to_owned());
     };
     set_tolerance(world, next);
-    (next >= PLAIN).then(|| "look around the highlight: squares show".to_owned())
+    None
 }
 
 /// Draws within this many levels. The sides of a wipe that had the tolerance before follow.
@@ -135,6 +147,36 @@ pub fn set_tolerance(world: &mut World, levels: f64) {
         }
     }
     (viewer.tolerance, viewer.budget) = (levels, None);
+}
+
+/// The method that holds the budget of the viewer: the most exact one that keeps it, as measured last. Before any measurement,
+/// and without a budget, there is none.
+pub fn held_method(world: &World, facts: &Facts) -> Option<Method> {
+    let budget = viewer(world).budget?;
+    let (one, _) = held(&facts.trade.value.as_ref()?.methods, budget)?;
+    Some(one.method)
+}
+
+/// The method on screen; `None` where the cuboids have different modes.
+pub fn shown_method(world: &World, facts: &Facts) -> Option<Method> {
+    let own = || Some(Method::of(common(world)?, viewer(world).tolerance));
+    held_method(world, facts).or_else(own)
+}
+
+/// Holds this time, in milliseconds, or the usual tolerance.
+pub fn set_budget(world: &mut World, budget: Option<f64>) {
+    set_tolerance(world, Viewer::TOLERANCE);
+    let (least, most) = range_of("budget").into_inner();
+    let legal = |budget: f64| rounded(budget.clamp(least, most), 1);
+    viewer_mut(world).budget = budget.map(legal);
+}
+
+/// Holds the time that the method on screen takes, with a little room, or the error again.
+pub fn switch_budget(world: &mut World, facts: &Facts) {
+    let time = facts.measured_time(shown_method(world, facts));
+    let next = time.map_or(FIRST_BUDGET, |time| 1.1 * time);
+    let has_budget = viewer(world).budget.is_some();
+    set_budget(world, (!has_budget).then_some(next));
 }
 
 /// Shows the picture in another way; a wipe is one between Gouraud and Phong.

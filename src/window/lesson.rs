@@ -9,9 +9,8 @@ use hecs::World;
 use super::app::App;
 use super::ask::shows_exact;
 use super::canvas::Canvas;
-use super::choice::Choice;
 use super::comparison::Comparison;
-use super::controls::has_face_normals;
+use super::controls::{has_face_normals, shown_method};
 use super::desk::Desk;
 use super::document::Document;
 use super::facts::Facts;
@@ -66,7 +65,7 @@ impl App {
         let is_alone = self.is_lesson_alone();
         let App {
             document,
-            choice,
+            study,
             desk,
             ..
         } = self;
@@ -83,7 +82,7 @@ impl App {
             let controls = lesson[step].show.iter();
             for control in controls.filter(|it| **it != Control::Row) {
                 ui.separator();
-                show(ui, &mut document.scene.world, choice, desk, *control);
+                show(ui, &mut document.scene.world, &study.facts, desk, *control);
             }
             if is_alone {
                 message(ui, desk);
@@ -140,10 +139,10 @@ fn answers(ui: &mut Ui, question: &Question, desk: &mut Desk, letters: f32) {
 }
 
 /// Lays out a control of a step.
-fn show(ui: &mut Ui, world: &mut World, choice: &Choice, desk: &mut Desk, control: Control) {
+fn show(ui: &mut Ui, world: &mut World, facts: &Facts, desk: &mut Desk, control: Control) {
     match control {
         Control::Shading => {
-            let shading = choice.method(world).map(|it| it.mode);
+            let shading = shown_method(world, facts).map(|it| it.mode);
             for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
                 offer(ui, desk, Action::Shading(mode), shading == Some(mode));
             }
@@ -255,7 +254,7 @@ async fn picture(
         canvas,
         viewer,
         facts: &facts,
-        method: Choice::default().method(&scene.world),
+        method: shown_method(&scene.world, &facts),
         turn: None,
         has_names: true,
         has_row: step.show.contains(&Control::Row),

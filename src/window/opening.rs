@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use super::app::App;
-use super::choice::Choice;
 use super::inspector::Tab;
 use crate::components::ViewMode;
 use crate::output::encode_png;
@@ -32,7 +31,6 @@ impl App {
     fn show_document(&mut self) {
         (self.desk.shows_rest, self.desk.answer) = (false, None);
         self.study.clear();
-        self.choice = Choice::default();
         self.desk.divider = None;
         self.canvas.fit_again();
         self.desk.awaits_worst = false;

@@ -30,16 +30,8 @@ const ONE_ROW: f32 = 650.0;
 
 /// Lays out what is always in sight, and the headings below.
 pub fn panel(ui: &mut Ui, app: &mut App) {
-    let App {
-        document,
-        choice,
-        desk,
-        ..
-    } = app;
-    let world = &mut document.scene.world;
-    let method = choice
-        .method(world)
-        .filter(|_| shows_picture(&viewer(world)));
+    let method = app.method().filter(|_| shows_picture(&app.viewer()));
+    let (world, desk) = (&app.document.scene.world, &mut app.desk);
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
         for mode in ShadingMode::ALL {

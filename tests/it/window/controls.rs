@@ -5,9 +5,8 @@ use std::time::Duration;
 use shadetrade::components::ShadingMode::{Phong, UnitVectors};
 use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, viewer, viewer_mut};
 use shadetrade::scene::{self, Scene, SceneRecord};
-use shadetrade::window::choice::Choice;
 use shadetrade::window::controls::{
-    Rotation, has_face_normals, next_camera, next_projection, set_tolerance, show, step_tolerance,
+    Rotation, has_face_normals, next_camera, next_projection, set_budget, set_tolerance, show, step_tolerance,
     switch_light_named, switch_normals, wipe, zoom,
 };
 use shadetrade::window::keys::EXACT_SIDES;
@@ -110,16 +109,15 @@ fn cuboids_turn_by_the_clock_from_where_they_stopped() {
 #[test]
 fn a_budget_is_within_its_range() {
     let mut world = default_scene().world;
-    let choice = Choice::default();
     viewer_mut(&mut world).tolerance = 4.0;
     for wish in [0.0, 1e9] {
-        choice.set_budget(&mut world, Some(wish));
+        set_budget(&mut world, Some(wish));
         let text = scene::updated("", &SceneRecord::of(&world));
         Scene::parse("saved", &text).unwrap_or_else(|error| panic!("{error}"));
     }
-    choice.set_budget(&mut world, Some(0.1234));
+    set_budget(&mut world, Some(0.1234));
     assert_eq!(viewer(&world).budget, Some(0.12));
     assert_eq!(viewer(&world).tolerance, 0.5, "the usual one");
-    choice.set_budget(&mut world, None);
+    set_budget(&mut world, None);
     assert_eq!(viewer(&world).budget, None);
 }

@@ -20,7 +20,7 @@ use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::window::app::App;
 use shadetrade::window::comparison::{Comparison, Worst};
-use shadetrade::window::controls::{choose_method, show, wipe};
+use shadetrade::window::controls::{self, choose_method, show, wipe};
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::Action;
 use shadetrade::window::study::Runner;
@@ -82,10 +82,7 @@ pub fn with_trade(mut app: App) -> App {
 }
 
 fn set_budget(window: &mut Window, budget: f64) {
-    let App {
-        document, choice, ..
-    } = &mut window.app;
-    choice.set_budget(&mut document.scene.world, Some(budget));
+    controls::set_budget(&mut window.app.document.scene.world, Some(budget));
 }
 
 fn open() -> Window {
