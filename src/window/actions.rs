@@ -116,18 +116,7 @@ impl App {
                 self.save_pixels(&self.labelled_picture(), self.canvas.size());
             }
             Action::Close => self.close_uppermost(),
-            Action::Quit => self.quit(),
-        }
-    }
-
-    /// Quits; with unsaved edits at the second press.
-    fn quit(&mut self) {
-        self.desk.quits = self.desk.is_warned || !self.document.is_edited();
-        if !self.desk.quits {
-            self.desk.is_warned = true;
-            self.desk.say(
-                "There are unsaved edits. Ctrl S saves them; Q again quits and offers them at the next start.",
-            );
+            Action::Quit => self.desk.quits = true,
         }
     }
 

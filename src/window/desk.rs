@@ -20,8 +20,6 @@ pub struct Desk {
     /// Whether times are shown; they are the machine's, and differ from run to run.
     pub shows_times: bool,
     pub quits: bool,
-    /// Whether it was said that edits are not saved.
-    pub is_warned: bool,
     pub help: bool,
     pub panel_folded: bool,
     /// Whether everything else is shown beside a lesson.
