@@ -85,15 +85,12 @@ impl App {
             Action::Probe(right, down) => self.step_probed([right, down]),
             // It acts while it is held.
             Action::Blink => {}
-            Action::Orbit(azimuth, elevation) => {
-                self.desk
-                    .say_any(controls::orbit(world, azimuth, elevation));
-            }
-            Action::Zoom(steps) => self.desk.say_any(controls::zoom(world, steps)),
+            Action::Orbit(azimuth, elevation) => controls::orbit(world, azimuth, elevation),
+            Action::Zoom(steps) => drop(controls::zoom(world, steps)),
             Action::ShowAll => {
                 self.canvas.fit_again();
                 let size = self.canvas.wide_size();
-                self.desk.say_any(controls::show_all(world, size));
+                controls::show_all(world, size);
             }
             Action::Rotate => self.rotation.switch(world, self.desk.now),
             Action::Tab(tab) => self.desk.switch(tab),

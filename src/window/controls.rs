@@ -215,45 +215,32 @@ pub fn next_camera(world: &mut World) -> Option<String> {
 }
 
 /// Moves the camera about its target, by degrees to the right and up.
-pub fn orbit(world: &mut World, azimuth: f64, elevation: f64) -> Option<String> {
+pub fn orbit(world: &mut World, azimuth: f64, elevation: f64) {
     let own = Camera::own(world, active_camera(world));
-    let limit = "the camera stops short of the pole";
-    change_orbit(world, limit, |orbit| orbit.moved(&own, azimuth, elevation))
+    change_orbit(world, |orbit| orbit.moved(&own, azimuth, elevation));
 }
 
-/// Moves the camera by steps towards its target; away from it if negative.
-pub fn zoom(world: &mut World, steps: i32) -> Option<String> {
+/// Moves the camera by steps towards its target; away from it if negative. Returns whether it moved.
+pub fn zoom(world: &mut World, steps: i32) -> bool {
     let limits = Orbit::limits(world);
-    let way = if steps > 0 { "closer" } else { "further" };
-    let limit = format!("the camera goes no {way}");
-    change_orbit(world, &limit, |orbit| orbit.zoomed(steps, &limits))
+    change_orbit(world, |orbit| orbit.zoomed(steps, &limits))
 }
 
 /// Undoes orbit, zoom and rotation. Steps back until a picture of `size` pixels shows all cuboids.
-pub fn show_all(world: &mut World, size: [usize; 2]) -> Option<String> {
-    let orbit = get::<Orbit>(world, active_camera(world));
-    let turned = std::mem::take(&mut viewer_mut(world).turned);
-    change_orbit(world, "", |_| Orbit::default());
-    while !shows_all(world, &View::of(world, size)) && zoom(world, -1).is_none() {}
-    let is_same = turned == 0 && get::<Orbit>(world, active_camera(world)) == orbit;
-    is_same.then(|| "the view is reset".to_owned())
+pub fn show_all(world: &mut World, size: [usize; 2]) {
+    viewer_mut(world).turned = 0;
+    change_orbit(world, |_| Orbit::default());
+    while !shows_all(world, &View::of(world, size)) && zoom(world, -1) {}
 }
 
-/// Changes the orbit of the active camera. If nothing changes, `limit` was reached.
-fn change_orbit(
-    world: &mut World,
-    limit: &str,
-    change: impl FnOnce(Orbit) -> Orbit,
-) -> Option<String> {
+/// Changes the orbit of the active camera. Returns whether it is another one.
+fn change_orbit(world: &mut World, change: impl FnOnce(Orbit) -> Orbit) -> bool {
     let camera = active_camera(world);
     let orbit: Orbit = get(world, camera).unwrap_or_default();
     let changed = change(orbit);
-    if changed == orbit {
-        return Some(limit.to_owned());
-    }
     // The camera is in the World.
     let _ = world.insert_one(camera, changed);
-    None
+    changed != orbit
 }
 
 /// The rotation of the cuboids.

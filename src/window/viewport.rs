@@ -40,8 +40,7 @@ impl App {
         let area = self.canvas.place.shrink2(grab);
         let picture = ui.interact(area, ui.id().with("picture"), Sense::click_and_drag());
         let world = &mut self.document.scene.world;
-        self.desk
-            .say_any(move_camera(ui, &picture, world, &self.canvas));
+        move_camera(ui, &picture, world, &self.canvas);
         let show = self.viewer().show;
         let mut click = clicked(&picture);
         if show == ViewMode::Wipe && self.desk.turn().is_none() {
@@ -143,15 +142,14 @@ fn clicked(response: &Response) -> Option<Pos2> {
     pointer.filter(|_| response.clicked())
 }
 
-/// Moves the camera by a drag or the wheel over the picture. Returns the limit that was reached.
-fn move_camera(ui: &Ui, picture: &Response, world: &mut World, canvas: &Canvas) -> Option<String> {
-    let mut limit = None;
+/// Moves the camera by a drag or the wheel over the picture.
+fn move_camera(ui: &Ui, picture: &Response, world: &mut World, canvas: &Canvas) {
     if picture.dragged_by(PointerButton::Primary) && picture.drag_delta() != Vec2::ZERO {
         let [width, height] = canvas.size();
         let degrees = DRAG_TURN / width.min(height) as f64;
         // The cuboid follows the mouse, so the camera goes the other way.
         let by = picture.drag_delta() * canvas.scale;
-        limit = orbit(world, f64::from(-by.x) * degrees, f64::from(by.y) * degrees);
+        orbit(world, f64::from(-by.x) * degrees, f64::from(by.y) * degrees);
     }
     if picture.hovered() {
         let notches = |event: &Event| match event {
@@ -160,10 +158,9 @@ fn move_camera(ui: &Ui, picture: &Response, world: &mut World, canvas: &Canvas) 
         };
         let turned: f32 = ui.input(|input| input.events.iter().map(notches).sum());
         if turned.round() != 0.0 {
-            limit = zoom(world, turned.round() as i32).or(limit);
+            zoom(world, turned.round() as i32);
         }
     }
-    limit
 }
 
 /// Lays out the divider, which can be dragged. Returns the place of a click.

@@ -149,7 +149,6 @@ fn a_key_without_effect_shows_a_message() {
     for (key, times) in [
         (Key::Num9, 1),
         (Key::OpenBracket, 9),
-        (Key::ArrowUp, 60),
         (Key::Escape, 3),
         (Key::Y, 0),
     ] {
