@@ -12,7 +12,6 @@ use crate::components::{ShadingMode, Side, View, ViewMode, Viewer, alike};
 use crate::questions::job::Drawing;
 use crate::questions::probe::{self, Probe};
 use crate::questions::prove::{Proof, prove};
-use crate::questions::requires::segments::fewest_segments;
 use crate::questions::requires::more_changes;
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::verdict::is_sure;
@@ -182,24 +181,19 @@ impl Study {
         );
     }
 
-    /// Finds the parts of the model, and then the segments, that the picture requires.
+    /// Finds the parts of the model that the picture requires.
     fn require(&mut self, subject: &Subject) {
         let found = self.facts.required.current().cloned().unwrap_or_default();
-        if !found.is_all {
-            self.start_if_due(
-                subject,
-                Question::Require,
-                |facts| &mut facts.required,
-                async move |scene, view, monitor| {
-                    more_changes(&scene, view, found.rows, PER_STEP, monitor).await
-                },
-            );
+        if found.is_all {
+            return;
         }
         self.start_if_due(
             subject,
-            Question::CountSegments,
-            |facts| &mut facts.segments,
-            async |scene, view, monitor| fewest_segments(&scene, view, monitor).await,
+            Question::Require,
+            |facts| &mut facts.required,
+            async move |scene, view, monitor| {
+                more_changes(&scene, view, found.rows, PER_STEP, monitor).await
+            },
         );
     }
 }

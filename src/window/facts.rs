@@ -8,7 +8,6 @@ use super::pictures::side_method;
 use crate::components::{Side, View};
 use crate::questions::probe::Probe;
 use crate::questions::prove::Proof;
-use crate::questions::requires::segments::FewestSegments;
 use crate::questions::requires::PartChanges;
 use crate::questions::trade::{Measured, Measurement};
 use crate::questions::vary::refined::Refined;
@@ -53,7 +52,6 @@ pub struct Facts {
     pub proof: Latest<([Side; 2], Proof)>,
     /// It is current from its first rows on.
     pub required: Latest<PartChanges>,
-    pub segments: Latest<Vec<FewestSegments>>,
     /// Those of a number that is varied. They are about their own scene, whatever the picture is.
     pub curves: Latest<Refined>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
@@ -67,7 +65,6 @@ impl Facts {
         self.comparison.is_current = false;
         self.proof.is_current = false;
         self.required.is_current = false;
-        self.segments.is_current = false;
         self.trade.is_current &= change == Change::Method;
     }
 

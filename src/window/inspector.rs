@@ -147,8 +147,7 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
         "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
          {tolerance} needs the part."
     ));
-    let facts = &study.facts;
-    let required = &facts.required;
+    let required = &study.facts.required;
     let is_all = required.current().is_some_and(|it| it.is_all);
     wait(ui, study, is_all);
     let rows = required.value.as_ref().map(|it| it.rows.clone());
@@ -171,19 +170,6 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
             ui.end_row();
         }
     });
-    if is_all {
-        wait(ui, study, facts.segments.is_current);
-    }
-    for cuboid in facts.segments.value.iter().flatten() {
-        let label = ui.label(format!(
-            "{}: Gouraud needs {} segments.",
-            cuboid.cuboid,
-            cuboid.count()
-        ));
-        label.on_hover_text(
-            "The fewest segments along an edge with which Gouraud keeps the tolerance against exact Phong, proven.",
-        );
-    }
 }
 
 /// Lays out the rows of a table. The words in its last column wrap.

@@ -27,7 +27,6 @@ pub enum Question {
     Measure,
     Prove,
     Require,
-    CountSegments,
     /// The timing again, for longer.
     MeasureLonger,
 }
