@@ -2,7 +2,7 @@
 
 use egui::color_picker::show_color;
 use egui::{
-    Align2, Color32, Frame, Painter, Pos2, Rect, Response, Sense, Ui, UiBuilder, Vec2, vec2,
+    Align2, Color32, Frame, Painter, Pos2, Rect, Sense, Ui, UiBuilder, Vec2, vec2,
 };
 
 use super::canvas::Canvas;
@@ -138,14 +138,7 @@ fn legend(ui: &mut Ui, viewer: &Viewer, canvas: &Canvas, facts: &Facts) {
     let kinds = SquareKind::ALL.iter().zip(TINTS).zip(counts);
     ui.label("squares, by the colour in them");
     for ((kind, tint), count) in kinds {
-        let row = swatch(ui, tint, &format!("{count} {}", kind.name()));
-        row.on_hover_text(match kind {
-            SquareKind::Linear => "Squares with a colour linear in x and y.",
-            SquareKind::Quadratic => "Squares with a colour quadratic in x and in y.",
-            SquareKind::Terminator => "As quadratic, where n.l of one light changes sign.",
-            SquareKind::Highlight => "As quadratic, with the power of one highlight at each pixel.",
-            _ => "Squares in which the model is evaluated at each pixel.",
-        });
+        swatch(ui, tint, &format!("{count} {}", kind.name()));
     }
 }
 
@@ -170,10 +163,9 @@ fn error_legend(ui: &mut Ui, tolerance: f64, facts: &Facts) {
     swatch(ui, NOTHING, "nothing is drawn");
 }
 
-fn swatch(ui: &mut Ui, pixel: u32, text: &str) -> Response {
-    let row = ui.horizontal(|ui| {
+fn swatch(ui: &mut Ui, pixel: u32, text: &str) {
+    ui.horizontal(|ui| {
         show_color(ui, color(pixel), vec2(14.0, 14.0));
-        ui.label(text)
+        ui.label(text);
     });
-    row.inner
 }

@@ -14,9 +14,10 @@ use super::controls::{has_face_normals, shows_picture};
 use super::desk::Desk;
 use super::document::Document;
 use super::inspector::{HEADINGS, content, picture_action};
+use super::help::about;
 use super::keys::{Action, caption, keys};
 use super::widgets::{button, offer, scrolled, segment_buttons};
-use crate::components::{Light, LightKind, Name, ShadingMode, ViewMode, ordered, viewer};
+use crate::components::{Light, Name, ShadingMode, ViewMode, ordered, viewer};
 use crate::scene::{BUILT_IN, EXTREMES, first_sentence};
 
 /// The room of a light's key, in points.
@@ -130,12 +131,8 @@ pub fn light_row(ui: &mut Ui, world: &World, entity: Entity, place: usize) {
     } else {
         format!("{} {kind}", name.0)
     };
-    ui.checkbox(&mut light.on, words)
-        .on_hover_text(match light.kind {
-            LightKind::Ambient => "Feeds the ambient term, which is the same everywhere.",
-            LightKind::Diffuse => "Feeds the diffuse term, max(0, n.l).",
-            LightKind::Specular => "Feeds the specular term, max(0, o.r)^shininess.",
-        });
+    let switch = ui.checkbox(&mut light.on, words);
+    switch.on_hover_text(about(kind));
     let is_named = |it: &Action| matches!(it, Action::LightNamed(own) if *own == name.0);
     let named = keys().map(|key| key.2).find(is_named);
     ui.weak(caption(named.unwrap_or(Action::Light(place))));
