@@ -13,7 +13,6 @@ pub mod app;
 mod ask;
 pub mod canvas;
 pub mod chart;
-pub mod comparison;
 pub mod controls;
 pub mod desk;
 #[cfg(not(target_family = "wasm"))]
@@ -38,7 +37,6 @@ pub mod pictures;
 #[cfg(not(target_family = "wasm"))]
 mod run;
 pub mod study;
-mod tags;
 pub mod unsaved;
 mod viewport;
 pub mod widgets;

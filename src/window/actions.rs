@@ -3,7 +3,7 @@
 use egui::{Event, Key, Ui};
 
 use super::app::App;
-use super::comparison::Worst;
+use super::facts::Worst;
 use super::controls;
 use super::inspector::Tab;
 use super::keys::{self, Action, EXACT_SIDES};

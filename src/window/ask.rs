@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::comparison::Comparison;
+use super::facts::Comparison;
 use super::desk::Desk;
 use super::inspector::Tab;
 use super::pictures::{exact_view, side_method, side_view, sides};

@@ -6,7 +6,7 @@
 use egui::{Color32, Id, Label, Panel, Popup, RichText, Ui, Vec2};
 
 use super::app::App;
-use super::comparison::Worst;
+use super::facts::Worst;
 use super::controls::has_face_normals;
 use super::desk::Desk;
 use super::help::{about, help};
@@ -14,7 +14,7 @@ use super::keys::{Action, EXACT_SIDES, binding};
 use super::lesson::heading;
 use super::panel::{panel, path_row};
 use super::pictures::{side_method, sides};
-use super::tags::side_name;
+use super::labels::side_name;
 use super::widgets::{BAD, GOOD, INK, short, text};
 use crate::components::{Light, LightKind, Mesh, ShadingMode, Side, ViewMode, Viewer, names};
 use crate::output::words::capital;

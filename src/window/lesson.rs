@@ -9,7 +9,7 @@ use hecs::World;
 use super::app::App;
 use super::ask::shows_exact;
 use super::canvas::Canvas;
-use super::comparison::Comparison;
+use super::facts::Comparison;
 use super::controls::{has_face_normals, shown_method};
 use super::desk::Desk;
 use super::document::Document;

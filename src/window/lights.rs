@@ -7,7 +7,7 @@ use hecs::World;
 
 use super::app::App;
 use super::canvas::Canvas;
-use super::tags::ROOM;
+use super::labels::ROOM;
 use super::widgets::tag;
 use crate::components::numbers::range_of;
 use crate::components::{Lens, Light, LightKind, Name, Transform, View, in_file_order};

@@ -2,7 +2,7 @@
 
 use shadetrade::scene::{LESSONS, Step};
 use shadetrade::shading::SquareKind;
-use shadetrade::window::comparison::Comparison;
+use shadetrade::window::facts::Comparison;
 
 use crate::support::prelude::*;
 

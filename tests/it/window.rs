@@ -32,7 +32,7 @@ use shadetrade::components::View;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::{App, StepOutput};
-use shadetrade::window::comparison::Comparison;
+use shadetrade::window::facts::Comparison;
 use shadetrade::window::desk::Desk;
 use shadetrade::window::document::Document;
 use tempfile::TempDir;

@@ -7,7 +7,7 @@ use egui::{Event, Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use shadetrade::components::{ShadingMode, Side, ViewMode};
 use shadetrade::scene::key::{assignment, set};
-use shadetrade::window::comparison::{Comparison, Worst};
+use shadetrade::window::facts::{Comparison, Worst};
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{self, Action, EXACT_SIDES};
 

@@ -12,7 +12,7 @@ use shadetrade::output::paint::area;
 use shadetrade::scene::SceneRecord;
 use shadetrade::systems::frame::Workers;
 use shadetrade::window::canvas::{Canvas, REST};
-use shadetrade::window::comparison::Comparison;
+use shadetrade::window::facts::Comparison;
 use shadetrade::window::desk::Desk;
 use shadetrade::window::document::{Document, has_edits};
 use shadetrade::window::facts::{Change, Facts, change};

@@ -19,7 +19,7 @@ use shadetrade::questions::trade::{LeftOut, Measured, Measurement, is_timed};
 use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::window::app::App;
-use shadetrade::window::comparison::{Comparison, Worst};
+use shadetrade::window::facts::{Comparison, Worst};
 use shadetrade::window::controls::{self, choose_method, show, wipe};
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::Action;
