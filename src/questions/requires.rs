@@ -139,43 +139,6 @@ pub struct PartChange {
     pub required: bool,
 }
 
-/// The changes of the picture without the first parts, in the order of [`parts`].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct PartChanges {
-    pub rows: Vec<PartChange>,
-    /// Whether these are all parts.
-    pub is_all: bool,
-}
-
-/// Adds `count` parts to those that are `known` in the same picture.
-///
-/// # Errors
-/// If the work is cancelled.
-pub async fn more_changes(
-    scene: &Scene,
-    view: &View,
-    mut known: Vec<PartChange>,
-    count: usize,
-    monitor: Monitor<'_>,
-) -> anyhow::Result<PartChanges> {
-    let parts = parts(scene);
-    let all = parts.len();
-    let next: Vec<_> = parts.into_iter().skip(known.len()).take(count).collect();
-    let left_out: Vec<_> = next.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = changes(scene, view, &left_out, monitor).await?;
-    let part_change = |((part, name), change): (_, Change)| PartChange {
-        part,
-        name,
-        change,
-        required: !change.keeps(view.tolerance),
-    };
-    known.extend(next.into_iter().zip(changes).map(part_change));
-    Ok(PartChanges {
-        is_all: known.len() == all,
-        rows: known,
-    })
-}
-
 /// The change of the picture without each part, in the order of [`parts`].
 ///
 /// # Errors
@@ -185,8 +148,16 @@ pub async fn part_changes(
     view: &View,
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<PartChange>> {
-    let all = more_changes(scene, view, Vec::new(), usize::MAX, monitor);
-    Ok(all.await?.rows)
+    let parts = parts(scene);
+    let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
+    let changes = changes(scene, view, &left_out, monitor).await?;
+    let part_change = |((part, name), change): (_, Change)| PartChange {
+        part,
+        name,
+        change,
+        required: !change.keeps(view.tolerance),
+    };
+    Ok(parts.into_iter().zip(changes).map(part_change).collect())
 }
 
 /// Sorts the parts by their errors, the largest first.

@@ -12,13 +12,13 @@ use crate::components::{ShadingMode, Side, View, ViewMode, Viewer, alike};
 use crate::questions::job::Drawing;
 use crate::questions::probe::{self, Probe};
 use crate::questions::prove::{Proof, prove};
-use crate::questions::requires::more_changes;
+use crate::questions::requires::{part_changes, ranked};
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::verdict::is_sure;
 use crate::questions::trade::{Request, is_timed, measure};
 use crate::shading::{Method, methods};
 
-/// The parts of the model that are left out, or the values of a number that are drawn, before the window shows the result.
+/// The values of a number that are drawn before the window shows the result.
 const PER_STEP: usize = 4;
 /// How long the frames of all methods are timed together, first and at most.
 const TIMING: Duration = Duration::from_secs(1);
@@ -183,17 +183,11 @@ impl Study {
 
     /// Finds the parts of the model that the picture requires.
     fn require(&mut self, subject: &Subject) {
-        let found = self.facts.required.current().cloned().unwrap_or_default();
-        if found.is_all {
-            return;
-        }
         self.start_if_due(
             subject,
             Question::Require,
             |facts| &mut facts.required,
-            async move |scene, view, monitor| {
-                more_changes(&scene, view, found.rows, PER_STEP, monitor).await
-            },
+            async |scene, view, monitor| Ok(ranked(part_changes(&scene, view, monitor).await?)),
         );
     }
 }

@@ -15,7 +15,7 @@ use crate::output::{Monitor, memory};
 use crate::questions::metrics::{self, ErrorStatistics, Picture, compare};
 use crate::questions::probe::Probe;
 use crate::questions::prove::Proof;
-use crate::questions::requires::PartChanges;
+use crate::questions::requires::PartChange;
 use crate::questions::trade::{Measured, Measurement};
 use crate::questions::vary::refined::Refined;
 use crate::reference;
@@ -60,8 +60,8 @@ pub struct Facts {
     pub comparison: Latest<Comparison>,
     /// The proof of the picture, or of both sides of a wipe.
     pub proof: Latest<([Side; 2], Proof)>,
-    /// It is current from its first rows on.
-    pub required: Latest<PartChanges>,
+    /// The one with the largest error first.
+    pub required: Latest<Vec<PartChange>>,
     /// Those of a number that is varied. They are about their own scene, whatever the picture is.
     pub curves: Latest<Refined>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.

@@ -19,7 +19,6 @@ use super::study::Study;
 use super::widgets::{INK, action_button, offer, short, wait};
 use crate::components::{Side, ViewMode, Viewer, viewer};
 use crate::questions::job::camera_name;
-use crate::questions::requires::{PartChange, ranked};
 use crate::scene::{LESSONS, title};
 
 /// A heading of the panel.
@@ -148,25 +147,17 @@ fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
          {tolerance} needs the part."
     ));
     let required = &study.facts.required;
-    let is_all = required.current().is_some_and(|it| it.is_all);
-    wait(ui, study, is_all);
-    let rows = required.value.as_ref().map(|it| it.rows.clone());
+    wait(ui, study, required.is_current);
     table(ui, "required", |ui| {
         for head in ["error", "needed", "part"] {
             ui.colored_label(INK, head);
         }
         ui.end_row();
-        let rows = rows.unwrap_or_default();
-        // Rows stay in their places while others are added.
-        let rows = if is_all { ranked(rows) } else { rows };
-        for PartChange {
-            part, name, change, ..
-        } in rows
-        {
-            ui.colored_label(INK, short(change.most()));
-            let is_kept = change.keeps(tolerance);
+        for row in required.value.iter().flatten() {
+            ui.colored_label(INK, short(row.change.most()));
+            let is_kept = row.change.keeps(tolerance);
             ui.colored_label(INK, if is_kept { "no" } else { "yes" });
-            ui.label(name).on_hover_text(part.says());
+            ui.label(&row.name).on_hover_text(row.part.says());
             ui.end_row();
         }
     });

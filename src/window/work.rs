@@ -34,8 +34,8 @@ pub enum Question {
 impl Question {
     /// Whether what is known grows with each answer. The question is open until all is known.
     pub fn grows(self) -> bool {
-        use Question::{Compare, Measure, MeasureLonger, Require, Vary};
-        matches!(self, Compare | Measure | MeasureLonger | Require | Vary)
+        use Question::{Compare, Measure, MeasureLonger, Vary};
+        matches!(self, Compare | Measure | MeasureLonger | Vary)
     }
 }
 

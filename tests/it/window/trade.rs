@@ -11,8 +11,7 @@ use shadetrade::output::Monitor;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::prove::prove;
-use shadetrade::questions::requires::part_changes;
-use shadetrade::questions::requires::segments::fewest_segments;
+use shadetrade::questions::requires::{part_changes, ranked};
 use shadetrade::questions::trade::timing::MIN_SAMPLES;
 use shadetrade::questions::trade::verdict::method_name;
 use shadetrade::questions::trade::{LeftOut, Measured, Measurement, is_timed};
@@ -272,7 +271,7 @@ fn questions_are_answered_row_by_row_without_threads() {
     let steps = Cell::new(0);
     run(&mut app, |app| {
         steps.set(steps.get() + 1);
-        app.study.facts.segments.is_current
+        app.study.facts.required.is_current
     });
     let facts = &app.study.facts;
     let mut scene = app.document.scene.snapshot();
@@ -286,10 +285,7 @@ fn questions_are_answered_row_by_row_without_threads() {
     let found = facts.proof.current().map(|it| &it.1);
     assert_eq!(found, Some(&done(proof)));
     let found = facts.required.current().expect("an answer");
-    assert!(found.is_all);
-    assert_eq!(found.rows, done(part_changes(&scene, &view, none)));
-    let segments = done(fewest_segments(&scene, &view, none));
-    assert_eq!(facts.segments.current(), Some(&segments));
+    assert_eq!(*found, ranked(done(part_changes(&scene, &view, none))));
     let samples = facts.trade.current().expect("an answer").methods.iter();
     let timed = samples.filter(|it| it.method.mode.is_drawn());
     let mut samples = timed.map(|it| it.timing.samples);
