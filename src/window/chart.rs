@@ -36,7 +36,7 @@ const CHART: f32 = 190.0;
 /// The height of the words about a budget: room for two lines.
 const OUTCOME: f32 = 34.0;
 /// The room beside the chart, in points, into which half of the last time's label reaches.
-const BESIDE: f32 = 12.0;
+pub const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
                        the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
                        line the budget. A click on a dot chooses its method. Below half \
@@ -129,7 +129,12 @@ pub fn chart(ui: &mut Ui, study: &Study, world: &mut World) {
     let measured = trade.current().map_or(&[][..], |it| &it.methods).iter();
     let is_shown = |it: &&Measurement| it.error.is_some() && is_timed(it.method);
     let known: Vec<_> = measured.filter(is_shown).cloned().collect();
-    let mut axes = axes().width(ui.available_width() - BESIDE);
+    let mut axes = plot_of_errors("trade", CHART)
+        .width(ui.available_width() - BESIDE)
+        .x_grid_spacer(marks)
+        .x_axis_formatter(words)
+        .include_y(FLOOR.log10())
+        .include_y(MOST.log10());
     if known.is_empty() {
         axes = axes.include_x(-1.0).include_x(1.0);
     }
@@ -189,31 +194,36 @@ fn dot(ui: &Ui, one: &Measurement, at: Pos2) -> bool {
     response.on_hover_text(text).clicked()
 }
 
-/// The axes, with a line at each of a few round numbers.
-fn axes() -> Plot<'static> {
-    let marks = |input: GridInput| {
-        let (least, most) = input.bounds;
-        let ticks = ticks(&(10_f64.powf(least)..10_f64.powf(most)));
-        let mark = |tick: f64| GridMark {
-            value: tick.log10(),
-            // Equal step sizes give all grid lines the same strength.
-            step_size: 10.0,
-        };
-        ticks.into_iter().map(mark).collect()
-    };
-    let words = |mark: GridMark, _: &_| rounded(10_f64.powf(mark.value), 1).to_string();
-    Plot::new("trade")
-        .height(CHART)
+/// A plot with a logarithmic axis of errors upwards.
+pub fn plot_of_errors(name: &str, height: f32) -> Plot<'_> {
+    Plot::new(name)
+        .height(height)
         .sense(Sense::hover())
-        .x_grid_spacer(marks)
         .y_grid_spacer(marks)
-        .x_axis_formatter(words)
         .y_axis_formatter(words)
-        .include_y(FLOOR.log10())
-        .include_y(MOST.log10())
         .grid_color(Color32::from_gray(58))
         .show_crosshair(false)
         .y_axis_min_width(34.0)
+}
+
+/// A line at each of a few round numbers of a logarithmic axis.
+fn marks(input: GridInput) -> Vec<GridMark> {
+    let (least, most) = input.bounds;
+    let ticks = ticks(&(10_f64.powf(least)..10_f64.powf(most)));
+    ticks.into_iter().map(f64::log10).map(grid_mark).collect()
+}
+
+/// The number at a mark of a logarithmic axis.
+fn words(mark: GridMark, _: &RangeInclusive<f64>) -> String {
+    rounded(10_f64.powf(mark.value), 1).to_string()
+}
+
+/// A line of the grid, as strong as all others.
+pub fn grid_mark(value: f64) -> GridMark {
+    GridMark {
+        value,
+        step_size: 10.0,
+    }
 }
 
 /// Draws the band of errors above one level, the staircase of best trades, and the dots and whiskers of the methods.

@@ -4,7 +4,7 @@
 use egui::color_picker::show_color;
 use egui::{
     Align, Align2, Color32, ComboBox, Frame, Layout, Painter, Pos2, Rect, Sense, TextWrapMode, Ui,
-    UiBuilder, Vec2, vec2,
+    UiBuilder, vec2,
 };
 
 use super::app::App;
@@ -52,14 +52,10 @@ impl Labels<'_> {
             ViewMode::Picture | ViewMode::Wipe => {}
             ViewMode::Terms => draw_terms(ui.painter(), self.place),
             ViewMode::Error | ViewMode::Tiles => {
-                let show = |ui: &mut Ui| {
+                self.ground(ui, self.place.shrink(GAP), |ui| {
                     ui.label(side_name(&Side::Picture, self.method));
                     legend(ui, self.viewer, self.canvas, self.facts);
-                };
-                let mut place = self.place.shrink(GAP);
-                let size = self.ground(ui, UiBuilder::new().max_rect(place).invisible(), show);
-                place.min.y = (place.max.y - size.y).max(place.min.y);
-                self.ground(ui, UiBuilder::new().max_rect(place), show);
+                });
             }
         }
         if let Some(pixel) = self.canvas.pixel(self.viewer) {
@@ -103,12 +99,11 @@ impl Labels<'_> {
         }
     }
 
-    /// Lays out widgets on a ground over the picture, and returns its size.
-    fn ground(&self, ui: &mut Ui, place: UiBuilder, widgets: impl FnOnce(&mut Ui)) -> Vec2 {
-        let mut child = ui.new_child(place);
+    /// Lays out widgets on a ground over the picture.
+    fn ground(&self, ui: &mut Ui, place: Rect, widgets: impl FnOnce(&mut Ui)) {
+        let mut child = ui.new_child(UiBuilder::new().max_rect(place));
         child.set_clip_rect(self.place);
-        let ground = Frame::side_top_panel(ui.style()).show(&mut child, widgets);
-        ground.response.rect.size()
+        Frame::side_top_panel(ui.style()).show(&mut child, widgets);
     }
 
     /// The levels along the row of a pixel.
@@ -118,7 +113,6 @@ impl Labels<'_> {
         };
         let here = probes.iter().find(|it| it.pixel == [column, row]);
         if let Some(surface) = here.and_then(|it| it.surface.as_ref()) {
-            let place = UiBuilder::new().max_rect(place);
             self.ground(ui, place, |ui| section(ui, probes, column, surface));
         }
     }

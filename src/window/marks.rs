@@ -13,6 +13,7 @@ use crate::components::{
     ViewMode, active_camera, viewer,
 };
 use crate::questions::probe::{Probe, ProbedSurface};
+use crate::reference::LightSample;
 use crate::scene::unseen::corners_of;
 use crate::shading::Method;
 
@@ -135,23 +136,17 @@ pub fn draw_arrows(painter: &Painter, probe: &Probe, world: &World, canvas: &Can
         }
     };
     // Lights in one direction have one arrow.
-    let mut directions: Vec<(DVec3, Option<DVec3>, Vec<&str>)> = Vec::new();
-    for light in surface.lights() {
-        let Some(to_light) = light.to_light else {
-            continue;
-        };
-        match directions.iter_mut().find(|it| it.0 == to_light) {
-            Some((_, reflected, names)) => {
-                *reflected = reflected.or(light.reflected);
-                names.push(&light.name);
-            }
-            None => directions.push((to_light, light.reflected, vec![&light.name])),
-        }
-    }
-    for (to_light, reflected, names) in directions {
+    let mut lights: Vec<&LightSample> = surface.lights().iter().collect();
+    while let Some(first) = lights.first().copied() {
+        let (alike, others) = lights
+            .into_iter()
+            .partition::<Vec<_>, _>(|it| it.to_light == first.to_light);
+        let names: Vec<&str> = alike.iter().map(|it| &*it.name).collect();
+        let reflected = alike.iter().find_map(|it| it.reflected);
         let ink = light_color(world, names[0]);
         arrow("r, l reflected", ink.gamma_multiply(0.7), reflected);
-        arrow(&format!("l to {}", names.join(", ")), ink, Some(to_light));
+        arrow(&format!("l to {}", names.join(", ")), ink, first.to_light);
+        lights = others;
     }
     let sample = surface.sample.as_ref();
     arrow("o to the eye", TO_EYE, sample.map(|it| it.to_eye));

@@ -102,21 +102,19 @@ pub fn light_rows(ui: &mut Ui, world: &World) {
     if lights.is_empty() {
         ui.weak("The scene has no lights.");
     }
-    let rows = |ui: &mut Ui, places: std::ops::Range<usize>| {
+    let scroll = ScrollArea::vertical().id_salt("lights").max_height(LIGHTS);
+    scroll.show(ui, |ui| {
         // Long names are cut, so that keys keep their room.
         let name = ui.available_width() - OF_LIGHT;
         let grid = Grid::new("lights").num_columns(2).min_col_width(0.0);
         grid.max_col_width(name).show(ui, |ui| {
             ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-            for place in places {
-                light_row(ui, world, lights[place], place);
+            for (place, light) in lights.into_iter().enumerate() {
+                light_row(ui, world, light, place);
                 ui.end_row();
             }
         });
-    };
-    let height = ui.spacing().interact_size.y;
-    let scroll = ScrollArea::vertical().id_salt("lights").max_height(LIGHTS);
-    scroll.show_rows(ui, height, lights.len(), rows);
+    });
 }
 
 /// Lays out the switch of a light, its kind and its key.

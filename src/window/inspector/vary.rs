@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use egui::{Color32, Sense, Ui, WidgetInfo, WidgetType};
-use egui_plot::{GridInput, GridMark, HLine, Line, LineStyle, Plot, VLine};
+use egui_plot::{GridInput, HLine, Line, LineStyle, VLine};
 use hecs::World;
 
 use super::Tab;
 use super::scene::ANY;
 use crate::components::{Mesh, names};
-use crate::output::chart::ticks;
 use crate::output::words::capital;
 use crate::questions::job::camera_name;
 use crate::questions::trade::verdict::method_name;
@@ -21,6 +20,7 @@ use crate::scene::SceneRecord;
 use crate::scene::key::Key;
 use crate::shading::Method;
 use crate::window::canvas::Canvas;
+use crate::window::chart::{BESIDE, grid_mark, plot_of_errors};
 use crate::window::desk::Desk;
 use crate::window::document::Document;
 use crate::window::study::Study;
@@ -31,8 +31,6 @@ const ABOUT: &str = "The largest error of the picture against exact Phong, in le
 /// The ends of the axis of errors, in levels. A smaller error is drawn at the first.
 const ERRORS: [f64; 2] = [1e-4, 500.0];
 const HEIGHT: f32 = 230.0;
-/// The room beside the plot, in points, into which half of the last label reaches.
-const BESIDE: f32 = 12.0;
 
 /// A number of the scene, and its range.
 pub struct Varied {
@@ -203,22 +201,12 @@ fn plot(
         let marks = marks.iter().map(|mark| variable.share(*mark));
         marks.map(grid_mark).collect()
     };
-    let of_errors = |_: GridInput| {
-        let marks = ticks(&(ERRORS[0]..ERRORS[1])).into_iter().map(f64::log10);
-        marks.map(grid_mark).collect()
-    };
-    let plot = Plot::new("varied")
+    let plot = plot_of_errors("varied", HEIGHT)
         .width(ui.available_width() - BESIDE)
-        .height(HEIGHT)
-        .sense(Sense::hover())
         .x_grid_spacer(of_values)
-        .y_grid_spacer(of_errors)
         .x_axis_formatter(|mark, _| in_words(variable.at(mark.value)))
-        .y_axis_formatter(|mark, _| rounded(10_f64.powf(mark.value), 1).to_string())
-        .y_axis_min_width(34.0)
         .default_x_bounds(0.0, 1.0)
         .default_y_bounds(least, most)
-        .grid_color(Color32::from_gray(58))
         .show_x(false)
         .show_y(false);
     let shown = ui.scope(|ui| {
@@ -244,12 +232,4 @@ fn plot(
     let share = transform.value_from_position(at).x.clamp(0.0, 1.0);
     let chosen = rounded(variable.at(share), 2).clamp(variable.from, variable.to);
     (mouse.dragged() || mouse.clicked()).then_some(chosen)
-}
-
-fn grid_mark(value: f64) -> GridMark {
-    // Equal step sizes give all grid lines the same strength.
-    GridMark {
-        value,
-        step_size: 10.0,
-    }
 }

@@ -308,7 +308,7 @@ fn a_saved_picture_is_the_picture_alone_and_an_error_map_has_its_scale_in_a_corn
     let changed = (0..saved.len()).filter(|at| saved[*at] != shown[*at]);
     let legend: Vec<usize> = changed.collect();
     // The cuboid and the other corners are free.
-    let is_in_corner = |at: &usize| at % width < width / 2 && at / width > saved.len() / width / 2;
+    let is_in_corner = |at: &usize| at % width < width / 2 && at / width < saved.len() / width / 2;
     assert!(legend.iter().all(is_in_corner));
     for error in [0.5, 16.0, 200.0] {
         let color = error_map::color_of(Pixel::Error(error));
