@@ -8,6 +8,7 @@ use hecs::World;
 
 use super::facts::Facts;
 use super::keys::TOLERANCES;
+use super::pictures::{side_method, sides};
 use crate::components::numbers::range_of;
 use crate::components::{
     Camera, Light, NormalMode, Orbit, Projection, Segments, ShadingMode, Side, View, ViewMode,
@@ -179,12 +180,20 @@ pub fn switch_budget(world: &mut World, facts: &Facts) {
     set_budget(world, (!has_budget).then_some(next));
 }
 
-/// Shows the picture in another way; a wipe is one between Gouraud and Phong.
+/// Shows the picture in another way; a wipe is one between Gouraud and Phong. The error map of a wipe is that of its left side,
+/// which is the picture then.
 pub fn show(world: &mut World, mode: ViewMode) {
     let mut viewer = viewer_mut(world);
+    let [left, _] = sides(&viewer);
     viewer.show = mode;
     if mode == ViewMode::Wipe {
         viewer.sides = Side::gouraud_phong(viewer.tolerance);
+    }
+    drop(viewer);
+    if mode == ViewMode::Error
+        && let Some(method) = side_method(&left, None).filter(|it| it.mode.is_drawn())
+    {
+        choose_method(world, method);
     }
 }
 

@@ -123,7 +123,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("picture", "The picture as it is shaded.", &[(NO, Key::F2, Action::View(ViewMode::Picture))]),
         ("both", "Gouraud and Phong, left and right of a line that can be dragged.", &[(NO, Key::F3, Action::View(ViewMode::Wipe))]),
         ("picture | exact", "The picture, and exact Phong in f64, left and right of a divider.", &[(NO, Key::F4, Action::WipeExact)]),
-        ("error map", "The error of each pixel against exact Phong.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
+        ("error map", "The error of each pixel against exact Phong; of a wipe that of its left side.", &[(NO, Key::F5, Action::View(ViewMode::Error))]),
         ("tiles", "The way in which each square was drawn.", &[(NO, Key::F6, Action::View(ViewMode::Tiles))]),
         ("terms", "The ambient, the diffuse and the specular term of the model, and their sum.", &[(NO, Key::F7, Action::View(ViewMode::Terms))]),
         ("blink (hold)", "While this is held, exact Phong and the picture take turns. In a wipe its two sides take turns.", &[(NO, Key::B, Action::Blink)]),

@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
-use shadetrade::components::ShadingMode::{Phong, UnitVectors};
+use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, viewer, viewer_mut};
 use shadetrade::scene::{self, Scene, SceneRecord};
+use shadetrade::shading::Method;
 use shadetrade::window::controls::{
     Rotation, has_face_normals, next_camera, next_projection, set_budget, set_tolerance, show, step_tolerance,
     switch_light_named, switch_normals, wipe,
@@ -69,6 +70,23 @@ fn cameras_and_projections_take_turns_and_a_single_one_says_so() {
     }
     record.camera.truncate(1);
     assert!(next_camera(&mut record.spawn()).is_some());
+}
+
+#[test]
+fn the_error_map_of_a_wipe_is_that_of_its_left_side() {
+    let mut world = default_scene().world;
+    show(&mut world, ViewMode::Error);
+    assert_eq!(common(&world), Some(Gouraud), "the picture's own");
+    let phong = Side::from(Method::of(Phong, 4.0));
+    wipe(&mut world, [phong, Side::Picture]);
+    show(&mut world, ViewMode::Error);
+    assert_eq!(viewer(&world).show, ViewMode::Error);
+    assert_eq!(common(&world), Some(Phong));
+    assert_eq!(viewer(&world).tolerance, 4.0);
+    // No cuboid is shaded by the reference.
+    wipe(&mut world, [Side::Reference, Side::Picture]);
+    show(&mut world, ViewMode::Error);
+    assert_eq!(common(&world), Some(Phong));
 }
 
 #[test]
