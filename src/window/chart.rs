@@ -26,7 +26,7 @@ use crate::components::{Viewer, viewer};
 use crate::output::chart::ticks;
 use crate::output::words::capital;
 use crate::questions::trade::plot::{FLOOR, place_of, vertices};
-use crate::questions::trade::verdict::{UNSEEN, method_name, sentence};
+use crate::questions::trade::verdict::{UNSEEN, is_sure, method_name, sentence};
 use crate::questions::trade::{Measurement, budget, front, is_timed};
 use crate::shading::Method;
 
@@ -169,8 +169,14 @@ pub fn chart(ui: &mut Ui, study: &Study, world: &mut World) {
 fn sentence_about(ui: &mut Ui, known: &[Measurement], shown: Option<Method>) {
     let of_method = |method: Method| {
         let name = capital(&method_name(method));
-        let later = || format!("{name} is not measured yet.");
-        sentence(known, method).unwrap_or_else(later)
+        let Some(text) = sentence(known, method) else {
+            return format!("{name} is not measured yet.");
+        };
+        let own = known.iter().find(|it| it.method == method && is_timed(method));
+        match own.filter(|_| !is_sure(known, method)) {
+            Some(own) => format!("{text} So far {} ms a frame.", short(own.timing.median)),
+            None => text,
+        }
     };
     let mixed = || "The cuboids are shaded in different modes.".to_owned();
     let text = shown.map_or_else(mixed, of_method);
