@@ -169,13 +169,6 @@ fn swatch(ui: &mut Ui, pixel: u32, text: &str) {
     });
 }
 
-/// The sides to choose from.
-fn choices() -> Vec<Side> {
-    let methods = METHODS.iter().copied().map(Side::from);
-    let others = [Side::Picture, Side::Reference].into_iter();
-    others.chain(methods).collect()
-}
-
 /// The name of a side; `shown` is the method on screen.
 pub fn side_name(side: &Side, shown: Option<Method>) -> String {
     let method = side_method(side, shown).map(method_name);
@@ -212,7 +205,8 @@ impl App {
                 let own = side_name(&sides[index], shown);
                 let methods = ComboBox::from_id_salt(index).selected_text(own);
                 methods.height(400.0).show_ui(ui, |ui| {
-                    for side in choices() {
+                    let methods = METHODS.iter().copied().map(Side::from);
+                    for side in [Side::Picture, Side::Reference].into_iter().chain(methods) {
                         let name = side_name(&side, shown);
                         ui.selectable_value(&mut sides[index], side, name);
                     }

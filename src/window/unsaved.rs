@@ -15,8 +15,6 @@ use std::time::Duration;
 
 use anyhow::Context;
 use egui::{Align2, Rect, Ui};
-use indicatif::HumanDuration;
-use web_time::SystemTime;
 
 use super::desk::Desk;
 use super::document::{Document, has_edits};
@@ -35,8 +33,8 @@ pub struct Unsaved {
     path: PathBuf,
     /// The state in the file; `None` while it holds no edits of this window.
     written: Option<Arc<SceneRecord>>,
-    /// The edits of a window that ended, and when they were written.
-    offer: Option<(Arc<SceneRecord>, SystemTime)>,
+    /// The edits of a window that ended.
+    offer: Option<Arc<SceneRecord>>,
     /// When the edits are to be written.
     due: Option<Duration>,
     /// Whether they could not be written the last time.
@@ -68,9 +66,7 @@ impl Document {
     /// Keeps unsaved edits in `folder` from now on, and offers those that are there.
     pub fn keep_edits(&mut self, folder: &Path) {
         let path = file_of(&self.scene, folder);
-        let offer = Scene::load_path(&path)
-            .ok()
-            .and_then(|scene| Some((scene.record, files::stamp(&path)?.0)));
+        let offer = Scene::load_path(&path).ok().map(|scene| scene.record);
         self.unsaved = Some(Unsaved {
             folder: folder.to_owned(),
             path,
@@ -157,7 +153,7 @@ impl Document {
     /// Shows the edits that are offered.
     pub fn restore_edits(&mut self, now: Duration) {
         if let Some(unsaved) = &mut self.unsaved
-            && let Some((state, _)) = unsaved.offer.take()
+            && let Some(state) = unsaved.offer.take()
         {
             unsaved.written.get_or_insert(Arc::clone(&state));
             self.keep(now, true);
@@ -183,15 +179,13 @@ impl Document {
 
 /// Offers the edits that a window left, at the top of `place`.
 pub fn edits_bar(ui: &Ui, document: &mut Document, place: Rect, desk: &mut Desk) {
-    let offer = document.unsaved.as_ref().and_then(|it| it.offer.as_ref());
-    let Some((_, written)) = offer else {
+    let unsaved = document.unsaved.as_ref();
+    if unsaved.is_none_or(|it| it.offer.is_none()) {
         return;
-    };
-    let passed = SystemTime::now().duration_since(*written);
-    let age = HumanDuration(passed.unwrap_or_default());
+    }
     bar(ui, "offer", Align2::CENTER_TOP, place, |ui| {
         ui.horizontal_wrapped(|ui| {
-            ui.label(format!("There are unsaved edits, {age} old."));
+            ui.label("There are unsaved edits.");
             if ui.button("restore").clicked() {
                 document.restore_edits(desk.now);
             }
