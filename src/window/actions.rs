@@ -3,8 +3,8 @@
 use egui::{Event, Key, Ui};
 
 use super::app::App;
-use super::facts::Worst;
 use super::controls;
+use super::facts::Worst;
 use super::inspector::Tab;
 use super::keys::{self, Action, EXACT_SIDES};
 use super::marks::CROSS;

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use super::facts::Comparison;
 use super::desk::Desk;
+use super::facts::Comparison;
 use super::inspector::Tab;
 use super::pictures::{exact_view, side_method, side_view, sides};
 use super::study::{Study, Subject};

@@ -9,9 +9,7 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{
-    Color32, Label, Pos2, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2,
-};
+use egui::{Color32, Label, Pos2, Rect, RichText, Sense, Ui, Vec2, WidgetInfo, WidgetType, vec2};
 use egui_plot::{Axis, GridInput, GridMark, Line, Plot, PlotPoint, PlotUi, Points, Span, VLine};
 use hecs::World;
 
@@ -172,7 +170,9 @@ fn sentence_about(ui: &mut Ui, known: &[Measurement], shown: Option<Method>) {
         let Some(text) = sentence(known, method) else {
             return format!("{name} is not measured yet.");
         };
-        let own = known.iter().find(|it| it.method == method && is_timed(method));
+        let own = known
+            .iter()
+            .find(|it| it.method == method && is_timed(method));
         match own.filter(|_| !is_sure(known, method)) {
             Some(own) => format!("{text} So far {} ms a frame.", short(own.timing.median)),
             None => text,

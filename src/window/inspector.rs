@@ -12,9 +12,9 @@ pub use self::pixel::section;
 pub use self::vary::Varied;
 use super::app::App;
 use super::chart;
-use super::panel::{file_rows, scene_rows};
 use super::desk::Desk;
 use super::keys::{Action, EXACT_SIDES};
+use super::panel::{file_rows, scene_rows};
 use super::study::Study;
 use super::widgets::{INK, action_button, offer, short, wait};
 use crate::components::{Side, ViewMode, Viewer, viewer};
@@ -129,14 +129,10 @@ fn camera_tab(ui: &mut Ui, world: &World, desk: &mut Desk) {
     let camera = camera_name(world);
     ui.label(format!("camera {camera}, {}", projection.name()));
     ui.horizontal_wrapped(|ui| {
-        for (action, is_chosen) in [
-            (Action::NextCamera, false),
-            (Action::NextProjection, false),
-            (Action::Rotate, turns),
-            (Action::ShowAll, false),
-        ] {
-            offer(ui, desk, action, is_chosen);
-        }
+        offer(ui, desk, Action::NextCamera, false);
+        offer(ui, desk, Action::NextProjection, false);
+        offer(ui, desk, Action::Rotate, turns);
+        offer(ui, desk, Action::ShowAll, false);
     });
 }
 

@@ -6,15 +6,15 @@
 use egui::{Color32, Id, Label, Panel, Popup, RichText, Ui, Vec2};
 
 use super::app::App;
-use super::facts::Worst;
 use super::controls::has_face_normals;
 use super::desk::Desk;
+use super::facts::Worst;
 use super::help::{about, help};
 use super::keys::{Action, EXACT_SIDES, binding};
+use super::labels::side_name;
 use super::lesson::heading;
 use super::panel::{panel, path_row};
 use super::pictures::{side_method, sides};
-use super::labels::side_name;
 use super::widgets::{BAD, GOOD, INK, short, text};
 use crate::components::{Light, LightKind, Mesh, ShadingMode, Side, ViewMode, Viewer, names};
 use crate::output::words::capital;

@@ -9,8 +9,8 @@ use super::lights::brightest;
 use super::pictures::{side_method, sides};
 use super::widgets::{INK, tag};
 use crate::components::{
-    Camera, FACES, Lens, Light, Mesh, Name, Segments, ShadingMode, Transform, View,
-    ViewMode, active_camera, viewer,
+    Camera, FACES, Lens, Light, Mesh, Name, Segments, ShadingMode, Transform, View, ViewMode,
+    active_camera, viewer,
 };
 use crate::questions::probe::{Probe, ProbedSurface};
 use crate::reference::LightSample;

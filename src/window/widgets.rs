@@ -4,9 +4,8 @@ use std::hash::Hash;
 use std::ops::RangeInclusive;
 
 use egui::{
-    Align2, Area, Button, Color32, Context, DragValue, FontId, Frame, Label, Order,
-    Pos2, ProgressBar, Rect, Response, RichText, ScrollArea, Sense, TextStyle, Theme, Ui,
-    vec2,
+    Align2, Area, Button, Color32, Context, DragValue, FontId, Frame, Label, Order, Pos2,
+    ProgressBar, Rect, Response, RichText, ScrollArea, Sense, TextStyle, Theme, Ui, vec2,
 };
 use egui_plot::Plot;
 use hecs::World;

@@ -32,9 +32,9 @@ use shadetrade::components::View;
 use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::{App, StepOutput};
-use shadetrade::window::facts::Comparison;
 use shadetrade::window::desk::Desk;
 use shadetrade::window::document::Document;
+use shadetrade::window::facts::Comparison;
 use tempfile::TempDir;
 
 use super::support::scene::draw;

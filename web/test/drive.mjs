@@ -108,14 +108,14 @@ async function edit(page) {
   await page.keyboard.press("g");
   await page.keyboard.press("e");
   await quiet(page, 300);
-  for (let y = 530; y < 740; y += 11) {
+  for (let y = 430; y < 740; y += 11) {
     await page.mouse.move(98, y);
     await page.mouse.down();
     await page.mouse.move(112, y, { steps: 3 });
     await page.mouse.up();
     await quiet(page, 100);
     if (!(await page.title()).includes("*")) continue;
-    // Neither the tooltip of the number nor the outline of the cuboid stays on the picture.
+    // The tooltip of the number does not stay on the picture.
     await page.mouse.move(...AWAY);
     await page.keyboard.press("e");
     return quiet(page, 500);

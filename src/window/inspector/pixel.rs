@@ -45,7 +45,7 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
         return;
     };
     let Some(surface) = &probe.surface else {
-        ui.label("Runner: no cuboid is seen here.");
+        ui.label("The background: no cuboid is seen here.");
         return;
     };
     let object = &surface.object;

@@ -1,7 +1,7 @@
 //! Clicks whose press and release come in one step, as those of a touchpad or in a slow frame.
 
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, PointerButton, Pos2};
+use egui::{Event, Key, PointerButton, Pos2};
 use egui_kittest::kittest::Queryable;
 use shadetrade::window::inspector::Tab;
 

@@ -7,8 +7,8 @@ use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, vie
 use shadetrade::scene::{self, Scene, SceneRecord};
 use shadetrade::shading::Method;
 use shadetrade::window::controls::{
-    Rotation, has_face_normals, next_camera, next_projection, set_budget, set_tolerance, show, step_tolerance,
-    switch_light_named, switch_normals, wipe,
+    Rotation, has_face_normals, next_camera, next_projection, set_budget, set_tolerance, show,
+    step_tolerance, switch_light_named, switch_normals, wipe,
 };
 use shadetrade::window::keys::EXACT_SIDES;
 

@@ -3,13 +3,12 @@
 use egui::{Key, Modifiers};
 use glam::DVec3;
 use shadetrade::components::{LightKind, Orbit, ShadingMode, View, ViewMode};
+use shadetrade::scene::LightRecord;
 use shadetrade::scene::unseen::shows_all;
-use shadetrade::scene::{LightRecord, SceneRecord};
 use shadetrade::systems::frame::Keep;
-use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::QUARTERS;
 
-use super::{SIZE, Window, changed, choose, default_record, widgets_of};
+use super::{SIZE, Window, changed, default_record};
 use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
