@@ -129,7 +129,7 @@ pub fn chart(ui: &mut Ui, study: &Study, world: &mut World) {
     let known: Vec<_> = measured.filter(is_shown).cloned().collect();
     let mut axes = plot_of_errors("trade", CHART)
         .width(ui.available_width() - BESIDE)
-        .x_grid_spacer(marks)
+        .x_grid_spacer(|input| marks(&input))
         .x_axis_formatter(words)
         .include_y(FLOOR.log10())
         .include_y(MOST.log10());
@@ -205,7 +205,7 @@ pub fn plot_of_errors(name: &str, height: f32) -> Plot<'_> {
     Plot::new(name)
         .height(height)
         .sense(Sense::hover())
-        .y_grid_spacer(marks)
+        .y_grid_spacer(|input| marks(&input))
         .y_axis_formatter(words)
         .grid_color(Color32::from_gray(58))
         .show_crosshair(false)
@@ -213,7 +213,7 @@ pub fn plot_of_errors(name: &str, height: f32) -> Plot<'_> {
 }
 
 /// A line at each of a few round numbers of a logarithmic axis.
-fn marks(input: GridInput) -> Vec<GridMark> {
+fn marks(input: &GridInput) -> Vec<GridMark> {
     let (least, most) = input.bounds;
     let ticks = ticks(&(10_f64.powf(least)..10_f64.powf(most)));
     ticks.into_iter().map(f64::log10).map(grid_mark).collect()

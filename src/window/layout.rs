@@ -21,10 +21,11 @@ use crate::output::words::capital;
 use crate::questions::trade::verdict::method_name;
 use crate::shading::Method;
 
-/// The least and the usual width of the panel, in points, and the usual share of a narrower window.
+/// The least and the usual width of the panel, in points, and that in a window so wide that every number has its row.
 const LEAST: f32 = 213.0;
-const USUAL: f32 = 346.0;
-const SHARE: f32 = 0.36;
+const USUAL: f32 = 300.0;
+const USUAL_WIDE: f32 = 346.0;
+const WIDE: f32 = 960.0;
 /// In a narrower window, in points, the panel is below the picture.
 pub const NARROW: f32 = 560.0;
 /// In a lower window, in points, the panel is folded where it would be below the picture, and nothing stands above that.
@@ -95,7 +96,8 @@ impl App {
         let [usual, most] = if is_below {
             [size.y / 2.0; 2]
         } else {
-            [USUAL.min(SHARE * size.x), size.x / 2.0]
+            let usual = if size.x < WIDE { USUAL } else { USUAL_WIDE };
+            [usual.min(size.x / 2.0), size.x / 2.0]
         };
         // egui keeps a width by id. With an id of its own a narrow window does not change the width in a wider one.
         let id = Id::new(("panel", is_below, usual as u32));

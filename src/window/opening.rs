@@ -24,11 +24,6 @@ impl App {
             return self.desk.say(format!("not opened: {error:#}"));
         }
         self.document.open(scene);
-        self.show_document();
-    }
-
-    /// Shows a document that was just opened.
-    fn show_document(&mut self) {
         (self.desk.shows_rest, self.desk.answer) = (false, None);
         self.study.clear();
         self.desk.divider = None;
