@@ -139,7 +139,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("proof", "Shows the proof that the picture keeps its tolerance.", &[(NO, Key::K, Action::Tab(Tab::Proof))]),
         ("try a range", "Shows a number of the scene against the error.", &[(NO, Key::V, Action::Tab(Tab::Vary))]),
         ("lessons", "A few steps each, with a question.", &[(NO, Key::L, Action::Tab(Tab::Lessons))]),
-        ("next", "The next step of the lesson.", &[(NO, Key::Enter, Action::Step(1))]),
+        ("next step", "The next step of the lesson.", &[(NO, Key::Enter, Action::Step(1))]),
         ("back", "The step of the lesson before.", &[(NO, Key::Backspace, Action::Step(-1))]),
         ("undo", "Takes back the last change.", &[(CTRL, Key::Z, Action::Undo)]),
         ("redo", "Makes the change again that was last taken back.", &[(BOTH, Key::Z, Action::Redo), (CTRL, Key::Y, Action::Redo)]),

@@ -61,18 +61,6 @@ fn a_sheet_has_the_picture_of_each_step_with_the_names_in_it() {
 }
 
 #[test]
-fn letters_that_the_font_lacks_are_named() {
-    let folder = folder();
-    let folder = folder.path();
-    let text = "scene = 'cuboid'\n[[step]]\nsay = 'Größe \u{2192} \u{1ec7}'\n";
-    put(folder, "lesson.toml", text);
-    let said = assert_works(folder, "lesson lesson.toml --size 40x30 -o sheet.png");
-    let warning = said.lines().find(|line| line.contains("lacks"));
-    let warning = warning.expect("a warning");
-    assert!(warning.contains('\u{1ec7}') && !warning.contains('ö'));
-}
-
-#[test]
 fn the_built_in_lessons_are_listed_in_the_order_in_which_they_are_read() {
     let folder = folder();
     let output = run(folder.path(), "lesson --list");

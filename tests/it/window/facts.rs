@@ -65,11 +65,12 @@ fn the_part_that_matters_most_comes_first() {
     let harness = widgets(window.app, [1400, 1400]);
     let [red, depth] = ["light red", "depth test"].map(|name| {
         let part = parts.iter().find(|it| it.name == name);
-        let row = harness.get_by_value(name).rect().min.y;
+        // A text is a node in a node.
+        let row = harness.query_all_by_value(name).next();
+        let row = row.expect("a row").rect().min.y;
         (part.expect("a part").change.most(), row)
     });
     assert!(red.0 > depth.0 && red.1 < depth.1, "{red:?}, {depth:?}");
-    // A text is a node in a node.
     assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
 }
 
@@ -237,7 +238,7 @@ fn a_pixel_of_a_scene_opens_its_tab_once() {
     window.app.desk.tabs.clear();
     window.step(Vec::new());
     assert_eq!(window.app.desk.tabs, [], "the user closed it");
-    let window = Window::of(scene, SMALL);
+    let window = Window::of(scene, [600, 200]);
     assert_eq!(window.app.desk.tabs, [Tab::Pixel]);
 }
 

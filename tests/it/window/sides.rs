@@ -41,7 +41,8 @@ fn both_tags_are_whole_in_windows_of_any_width() {
             ["Phong within half a level", "light at every pixel"],
         ];
         let tags = tags.map(|[name, lit]| {
-            let name = harness.get_by_value(name).rect();
+            let mut named = harness.query_all_by_value(name).map(|node| node.rect());
+            let name = named.find(|it| place.contains_rect(*it)).expect("a tag");
             name.union(harness.get_by_label(lit).rect())
         });
         let are_inside = tags.iter().all(|tag| place.contains_rect(*tag));
