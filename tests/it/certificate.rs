@@ -9,7 +9,7 @@ use shadetrade::questions::metrics::pixel_error;
 use shadetrade::shading::SquareKind;
 use shadetrade::shading::simd::{NAMES, name, named};
 use shadetrade::systems;
-use shadetrade::systems::frame::{Counts, SQUARE_EDGE};
+use shadetrade::systems::frame::SQUARE_EDGE;
 
 use crate::stability::life::Bits;
 use crate::support::prelude::*;
@@ -311,37 +311,4 @@ fn the_outline_of_a_square_is_its_upper_and_left_edge() {
         let is_edge = pixel < 32 || pixel % 32 == 0;
         assert_eq!(kind & SQUARE_EDGE != 0, is_edge, "pixel {pixel}");
     }
-}
-
-/// The counts at tolerance 0 and at half a level.
-fn exact_and_half(world: &mut World, size: [usize; 2]) -> [Counts; 2] {
-    let eye = DVec3::new(7.0, 5.0, 8.0);
-    let view = view(size, eye, DVec3::ZERO, Projection::Perspective).shaded(ShadingMode::Phong);
-    [0.0, 0.5].map(|tolerance| {
-        let view = view.with_tolerance(tolerance);
-        draw(world, &view, Keep::Display).counts()
-    })
-}
-
-#[test]
-fn half_a_level_costs_no_more_in_small_pictures_and_less_under_many_lights() {
-    let mut world = empty();
-    let material = grey([1.0, 1.0, 0.7], 76.8);
-    let size = DVec3::new(4.0, 3.0, 2.0);
-    spawn_cuboid(&mut world, size, at(DVec3::ZERO), material);
-    shine(&mut world, LightKind::Diffuse, 12.5, DVec3::splat(10.0));
-    let [exact, half] = exact_and_half(&mut world, [64, 48]);
-    assert_eq!(half, exact);
-    for index in 0..32 {
-        let step = f64::from(index);
-        let place = DVec3::new(step % 7.0 - 3.0, step % 5.0 + 2.0, step % 11.0 - 1.0) * 1.7;
-        shine(&mut world, LightKind::Diffuse, 12.5, place);
-        let beside = place + DVec3::new(0.5, 0.0, 0.3);
-        shine(&mut world, LightKind::Specular, 31.0, beside);
-    }
-    let counts = exact_and_half(&mut world, [480, 360]);
-    assert!(counts[1].model_evaluations <= counts[0].model_evaluations);
-    // On smaller squares more highlights are too faint to be drawn.
-    let [exact, half] = counts.map(|counts| counts.specular_evaluations);
-    assert!(half * 4 <= exact * 3, "{half} powers instead of {exact}");
 }

@@ -48,10 +48,14 @@ fn no_name_or_path_moves_the_cursor() {
 }
 
 #[test]
-fn a_name_with_a_line_break_is_told_on_one_line() {
+fn a_name_with_a_line_break_takes_one_line() {
     let folder = folder();
     put(folder.path(), "a\nb.toml", SCENE);
     put(folder.path(), "a\nwrong.toml", "colour = 1");
+    let scene = SCENE.replace("\"emerald\"", r#""em\nerald""#);
+    put(folder.path(), "a.toml", scene);
+    let dark = "render a.toml --lights none --size 9x9 -o dark.png";
+    assert_works(folder.path(), dark);
     // `⏎` is the line break in a name.
     for (words, told) in [
         ("render a⏎b.toml -o c⏎d.png", "wrote c\\nd.png: "),
@@ -60,24 +64,6 @@ fn a_name_with_a_line_break_is_told_on_one_line() {
         ("prove --picture a⏎b.toml", "a\\nb.toml is not a PNG"),
         ("a⏎b.toml", "a\\nb.toml"),
         ("prove a⏎b.toml --size 9x9", "a\\nb.toml, camera"),
-    ] {
-        let words = words.split(' ').map(|it| it.replace('⏎', "\n"));
-        let mut command = shadetrade(folder.path());
-        let output = command.args(words).output();
-        let output = output.expect("the program starts");
-        let text = said(&output) + &String::from_utf8_lossy(&output.stdout);
-        assert!(text.contains(told), "{told}: {text}");
-    }
-}
-
-#[test]
-fn a_name_with_a_line_break_takes_one_row() {
-    let folder = folder();
-    let folder = folder.path();
-    let scene = SCENE.replace("\"emerald\"", r#""em\nerald""#);
-    put(folder, "a.toml", scene);
-    assert_works(folder, "render a.toml --lights none --size 9x9 -o dark.png");
-    for (line, told) in [
         (
             "requires a.toml --size 9x9",
             "\ncuboid em\\nerald |\nem\\nerald ",
@@ -85,9 +71,13 @@ fn a_name_with_a_line_break_takes_one_row() {
         ("prove a.toml --picture dark.png", ", em\\nerald, face"),
         ("probe a.toml --size 9x9 --pixel 4,4", "4,4: em\\nerald,"),
     ] {
-        let text = run(folder, line).stdout;
-        let text = String::from_utf8_lossy(&text).into_owned();
-        assert!(told.split('|').all(|it| text.contains(it)), "{text}");
+        let words = words.split(' ').map(|it| it.replace('⏎', "\n"));
+        let mut command = shadetrade(folder.path());
+        let output = command.args(words).output();
+        let output = output.expect("the program starts");
+        let text = said(&output) + &String::from_utf8_lossy(&output.stdout);
+        let is_told = told.split('|').all(|it| text.contains(it));
+        assert!(is_told, "{told}: {text}");
     }
 }
 

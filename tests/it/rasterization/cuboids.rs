@@ -108,7 +108,7 @@ fn the_faces_of_a_cuboid_meet_without_gap_or_overlap() {
 }
 
 #[test]
-fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
+fn any_cuboid_has_the_same_bits_and_counts_on_any_threads_and_the_same_bits_in_any_rows() {
     let mut random = Random(5);
     let mut frames = [Keep::Levels, Keep::Display].map(|keep| {
         [1, 2, 4].map(|threads| {
@@ -125,10 +125,11 @@ fn any_cuboid_has_the_same_bits_on_any_threads_and_in_any_rows() {
             view.segments = Segments::new([1, 2, 9, 100][case / 4 % 4]);
             let [alone, others @ ..] = &mut frames[case / 3 % 2];
             systems::draw(&mut world, &view, alone).expect("a small picture fits");
-            let whole = Bits::of(alone);
+            let (whole, counts) = (Bits::of(alone), alone.counts());
             for frame in others {
                 systems::draw(&mut world, &view, frame).expect("a small picture fits");
-                assert!(Bits::of(frame) == whole, "{view:?}");
+                let is_same = Bits::of(frame) == whole && frame.counts() == counts;
+                assert!(is_same, "{view:?}");
             }
             for _ in 0..6 {
                 let from = random.below(size[1]);

@@ -43,6 +43,10 @@ Values of the wrong type.
 22 ¦ [view]⏎show = "all"               ¦ 23:8  ¦ all
 22 ¦ [view]⏎sides = ["phong-0"]        ¦ 23:9  ¦ ["phong-0"]
 22 ¦ [view]⏎sides = ["phong-0", "x-1"] ¦ 23:9  ¦ "x-1" ¦ "reference"
+22 ¦ [view]⏎sides = ["phong-", "phong-0"] ¦ 23:9 ¦ "phong-"
+22 ¦ [view]⏎sides = ["phong-0", "phong--1"] ¦ 23:9 ¦ "phong--1"
+22 ¦ [view]⏎sides = ["phong-0", "phong-256"] ¦ 23:9 ¦ "phong-256"
+22 ¦ [view]⏎sides = ["flat-1", "phong-0"] ¦ 23:9  ¦ "flat-1"
 22 ¦ [view]⏎pixel = [0]                ¦ 23:9  ¦ `view.pixel` ¦ 2 values
 
 Numbers out of range; every range is tried below.

@@ -115,22 +115,6 @@ fn values_that_belong_together_are_checked_together() {
     assert!(set(&default_record(), &both).is_err());
 }
 
-#[test]
-fn the_key_of_several_has_a_star_where_they_differ() {
-    for (one, other, common) in [
-        ("light.a.on", "light.b.on", "light.*.on"),
-        (
-            "camera.1.orbit.azimuth",
-            "camera.1.orbit.zoom",
-            "camera.1.orbit.*",
-        ),
-        ("view.tolerance", "light.b.on", "*.*"),
-    ] {
-        let found = Key::from(one).common(&Key::from(other));
-        assert_eq!(found.to_string(), common);
-    }
-}
-
 /// All keys of a record that have one value, made from its JSON.
 fn keys(record: &SceneRecord) -> Vec<Key> {
     fn walk(key: Key, value: &serde_json::Value, keys: &mut Vec<Key>) {

@@ -50,25 +50,3 @@ fn a_snapshot_is_independent_and_keeps_the_assignment_s_shortcut() {
     overwrite(&mut scene.world, &ShadingMode::Phong);
     assert_eq!(SceneRecord::of(&copy.world), before);
 }
-
-#[test]
-fn a_side_is_its_text() {
-    let method = |mode, tolerance| Side::Method {
-        mode,
-        segments: None,
-        tolerance,
-    };
-    for (text, side) in [
-        ("picture", Side::Picture),
-        ("reference", Side::Reference),
-        ("gouraud-0.5", method(ShadingMode::Gouraud, 0.5)),
-        ("phong-0", method(ShadingMode::Phong, 0.0)),
-        ("phong-unit-vectors", method(ShadingMode::UnitVectors, 0.0)),
-    ] {
-        assert_eq!(Side::try_from(text.to_owned()), Ok(side));
-        assert_eq!(String::from(side), text);
-    }
-    for wrong in ["phong-", "phong--1", "phong-256", "flat-1", "phong-1e-9"] {
-        assert!(Side::try_from(wrong.to_owned()).is_err(), "{wrong}");
-    }
-}

@@ -1,4 +1,5 @@
-//! A picture has the same bits with any number of threads, at any SIMD level and in any parts.
+//! A picture of small faces has the same bits with any number of threads, and any picture at any SIMD level. `rasterization`
+//! compares threads and parts of pictures of large faces.
 
 use shadetrade::shading::simd;
 use shadetrade::systems;
@@ -11,37 +12,6 @@ const KEEPS: [Keep; 2] = [Keep::Levels, Keep::Display];
 fn frame(keep: Keep, threads: usize, level: Level) -> Frame {
     let workers = Workers::new(threads, level).expect("the system gives threads");
     Frame::new(keep, workers)
-}
-
-/// Asserts that a picture has the same bits and counts with any number of threads, and that at least this many pixels show
-/// a cuboid.
-fn assert_same_with_threads(world: &mut World, views: &[View], keep: Keep, least: u64) {
-    let mut together = [2, 5].map(|threads| frame(keep, threads, Level::new()));
-    for view in views {
-        let alone = draw(world, view, keep);
-        assert!(alone.counts().covered_pixels > least);
-        for frame in &mut together {
-            systems::draw(world, view, frame).expect("a small picture fits");
-            let threads = frame.workers().threads();
-            let drawn = [&*frame, &alone].map(|it| (Bits::of(it), it.counts()));
-            assert!(drawn[0] == drawn[1], "{threads} threads, {view:?}");
-        }
-    }
-}
-
-#[test]
-fn any_number_of_threads_draws_the_same_bits_with_the_same_counts() {
-    let mut views: Vec<View> = views([400, 320]).into_iter().step_by(4).collect();
-    for view in &mut views {
-        // So near that the frame is drawn on several threads.
-        view.camera.fov = 10.0;
-        view.camera.height = 2.0;
-    }
-    for keep in KEEPS {
-        for cuboids in [1, 3] {
-            assert_same_with_threads(&mut still_life(cuboids), &views, keep, 100_000);
-        }
-    }
 }
 
 #[test]
@@ -57,8 +27,17 @@ fn small_faces_across_the_bands_of_threads_are_counted_as_by_one_thread() {
     let eye = DVec3::new(0.0, 0.0, 30.0);
     let mut view = view([400, 320], eye, DVec3::ZERO, Projection::Orthographic);
     view.camera.height = 20.0;
-    let views = ShadingMode::ALL.map(|mode| view.shaded(mode));
-    assert_same_with_threads(&mut world, &views, Keep::Display, 60_000);
+    for mode in ShadingMode::ALL {
+        let view = view.shaded(mode);
+        let alone = draw(&mut world, &view, Keep::Display);
+        assert!(alone.counts().covered_pixels > 60_000);
+        for threads in [2, 5] {
+            let mut frame = frame(Keep::Display, threads, Level::new());
+            systems::draw(&mut world, &view, &mut frame).expect("a small picture fits");
+            let drawn = [&frame, &alone].map(|it| (Bits::of(it), it.counts()));
+            assert!(drawn[0] == drawn[1], "{threads} threads, {view:?}");
+        }
+    }
 }
 
 #[test]

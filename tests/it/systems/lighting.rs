@@ -1,6 +1,6 @@
 //! Lighting: the illumination of a frame, and the model at the vertices.
 
-use glam::{DMat3, dvec3};
+use glam::dvec3;
 use shadetrade::questions::metrics::{Picture, compare};
 use shadetrade::shading::LIMIT_0;
 use shadetrade::systems::{lighting, projection};
@@ -66,9 +66,19 @@ fn with_face_normals_the_model_is_evaluated_at_the_corners_of_each_visible_face(
     assert_eq!(frame.counts().model_evaluations, 4);
 }
 
+/// The evaluations of the model in a picture of one cube, which is 20 units wide and high.
+fn evaluations(centre: [f64; 3], size: f64, segments: u32, mode: NormalMode) -> u64 {
+    let mut world = World::new();
+    spawn_cuboid(&mut world, DVec3::splat(size), at(centre.into()), MATERIAL);
+    overwrite(&mut world, &mode);
+    let mut view = ahead(Projection::Orthographic, [80, 80]).shaded(ShadingMode::Gouraud);
+    view.segments = Segments::new(segments);
+    let frame = draw(&mut world, &view, Keep::Display);
+    frame.counts().model_evaluations
+}
+
 #[test]
 fn grids_are_lit_only_for_faces_in_the_picture() {
-    // The picture is 20 units wide and high at the origin, and a cube of two units is seen from the front.
     let inside = [[0.0, 0.0], [9.5, -9.5]];
     let outside = [
         [12.0, 0.0],
@@ -80,15 +90,7 @@ fn grids_are_lit_only_for_faces_in_the_picture() {
     for centre in inside.into_iter().chain(outside) {
         let faces = u64::from(inside.contains(&centre));
         for mode in [NormalMode::Corner, NormalMode::Face] {
-            let mut world = World::new();
-            let transform = at(dvec3(centre[0], centre[1], 0.0));
-            let cuboid = spawn_cuboid(&mut world, DVec3::splat(2.0), transform, MATERIAL);
-            let normals = Normals::new(mode, &Mesh::cuboid(DVec3::splat(2.0)), DMat3::IDENTITY);
-            let segments = Segments::new(4).expect("it is legal");
-            let components = (place(transform), normals, segments);
-            world.insert(cuboid, components).expect("it was spawned");
-            let view = ahead(Projection::Orthographic, [80, 80]).shaded(ShadingMode::Gouraud);
-            let evaluations = run(&mut world, &view).counts().model_evaluations;
+            let evaluations = evaluations([centre[0], centre[1], 0.0], 2.0, 4, mode);
             assert_eq!(evaluations, faces * 25, "{mode:?} at {centre:?}");
         }
     }
@@ -96,7 +98,7 @@ fn grids_are_lit_only_for_faces_in_the_picture() {
 
 #[test]
 fn of_a_grid_only_the_points_of_cells_in_the_picture_are_lit() {
-    // The picture is 20 units wide and high. It shows a tenth of a face of 200 units, and some of its cells in part; one more on
+    // The picture shows a tenth of a face of 200 units, and some of its cells in part; one more on
     // each side may be lit.
     for (centre, [least, most]) in [
         ([0.0, 0.0], [26 * 26, 30 * 30]),
@@ -104,16 +106,8 @@ fn of_a_grid_only_the_points_of_cells_in_the_picture_are_lit() {
         ([100.0, 100.0], [14 * 14, 16 * 16]),
         ([95.0, 0.0], [20 * 26, 22 * 30]),
     ] {
-        let mut world = World::new();
-        let transform = at(dvec3(centre[0], centre[1], -95.0));
-        let size = DVec3::splat(200.0);
-        let cuboid = spawn_cuboid(&mut world, size, transform, MATERIAL);
-        let normals = Normals::new(NormalMode::Corner, &Mesh::cuboid(size), DMat3::IDENTITY);
-        let segments = Segments::new(256).expect("it is legal");
-        let components = (place(transform), normals, segments);
-        world.insert(cuboid, components).expect("it was spawned");
-        let view = ahead(Projection::Orthographic, [80, 80]).shaded(ShadingMode::Gouraud);
-        let evaluations = run(&mut world, &view).counts().model_evaluations;
+        let centre = [centre[0], centre[1], -95.0];
+        let evaluations = evaluations(centre, 200.0, 256, NormalMode::Corner);
         assert!(
             (least..=most).contains(&evaluations),
             "{evaluations} at {centre:?}"
