@@ -28,16 +28,6 @@ pub enum Rule {
 }
 
 impl Rule {
-    pub const ALL: [Rule; 7] = [
-        Rule::SpecularGate,
-        Rule::DiffuseClamp,
-        Rule::Reflection,
-        Rule::UnitNormal,
-        Rule::PerspectiveCorrect,
-        Rule::DepthTest,
-        Rule::NearPlane,
-    ];
-
     /// The name in reports.
     pub const fn name(self) -> &'static str {
         match self {
