@@ -2,7 +2,6 @@
 
 use std::cmp::Ordering;
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
 
 use glam::DVec3;
 use hecs::World;
@@ -335,7 +334,7 @@ impl<R: Real> ReferenceCuboid<R> {
 /// Evaluates `rows` of the picture of `world` for `view`. The tolerance of the view is not used. The monitor receives the
 /// share of the whole picture, whose rows are drawn from the top.
 ///
-/// Runs on rayon's current threads and allocates 28 bytes per pixel of `rows`, so draw a very large picture in bands.
+/// Runs on rayon's current threads and allocates 60 bytes per pixel of `rows`, so draw a very large picture in bands.
 ///
 /// # Errors
 /// If the work is cancelled, or the picture does not fit in memory.
@@ -346,30 +345,22 @@ pub async fn picture(
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Truth> {
     let reference = Reference::<f64>::new(world, view);
-    let ([width, height], above) = (view.size, rows.start);
+    let [width, height] = view.size;
     let size = [width, rows.len()];
     let mut levels = memory::reserve_pixels(size)?;
-    levels.resize(width * rows.len(), [0.0; 3]);
     let mut triangles = memory::reserve_pixels(size)?;
-    triangles.resize(width * rows.len(), TriangleId::NONE);
-    let lines = levels.chunks_mut(width).zip(triangles.chunks_mut(width));
-    // Each is locked once, by the thread that draws it.
-    let lines: Vec<_> = lines.map(Mutex::new).collect();
-    let draw = |y: usize| {
-        let mut line = lines[y - above]
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        let (levels, triangles) = &mut *line;
-        reference.row(y, |x, seen| {
-            // In floats a pixel shows exactly one surface.
-            levels[x] = seen[0].levels;
-            triangles[x] = seen[0].triangle.unwrap_or(TriangleId::NONE);
-        });
-        Ok(())
+    let row = |y: usize| {
+        let mut row = Vec::with_capacity(width);
+        // In floats a pixel shows exactly one surface.
+        reference.row(y, |_, seen| row.push((seen[0].levels, seen[0].triangle)));
+        Ok(row)
     };
-    monitor
-        .in_parallel("drawing the reference", rows, [above, height], draw)
-        .await?;
+    let done = [rows.start, height];
+    let found = monitor.in_parallel("drawing the reference", rows, done, row);
+    for (level, triangle) in found.await?.into_iter().flatten() {
+        levels.push(level);
+        triangles.push(triangle.unwrap_or(TriangleId::NONE));
+    }
     Ok(Truth {
         width,
         levels,

@@ -22,8 +22,8 @@ use crate::shading::Method;
 use crate::systems;
 use crate::systems::frame::{Counts, Frame, Keep, Workers, display_step};
 
-/// The most bytes for a pixel: five pictures in f64, a frame, and a list of errors.
-const BYTES: usize = 5 * 28 + 17 + 8;
+/// The most bytes for a pixel: five pictures in f64, the rows of one more, a frame, and a list of errors.
+const BYTES: usize = 5 * 28 + 32 + 17 + 8;
 
 /// The errors of `methods` in the view of `request`, without times.
 ///

@@ -273,8 +273,8 @@ fn what_cannot_be_measured_or_written_is_an_error() {
         "{said}"
     );
     let parent = tempfile::tempdir().expect("there is room for a folder");
-    // Per pixel: five pictures of 28 bytes, a frame of 17, a list of errors of 8.
-    let bytes = f64::from(140 + 17 + 8) * 2.0_f64.powi(48) / 1e6;
+    // Per pixel: five pictures of 28 bytes, rows of 32, a frame of 17, a list of errors of 8.
+    let bytes = f64::from(140 + 32 + 17 + 8) * 2.0_f64.powi(48) / 1e6;
     let needed = format!(
         "cannot be compared: memory has no room for a picture of 16777216x16777216 pixels: {bytes:.0} MB are needed"
     );
