@@ -162,20 +162,8 @@ Examples:
   shadetrade lesson --list
   shadetrade lesson my-lesson.toml -o lesson.png
 
-A lesson is a TOML file with a scene and steps. Each step has a sentence of at most 200 letters. It may change values
-of keys, show controls, and ask a question:
-
-  scene = \"cuboid\"
-  [[step]]
-  say = \"Light is computed at the corners of each side. Where is the bright spot?\"
-  set = { cuboid.emerald.shading = \"gouraud\" }
-  show = [\"shading\", \"segments\"]
-  ask = [\"in the middle\", \"nowhere\"]
-  right = 2
-  then = \"Nowhere: no corner lies in it.\"
-
-Controls are shading, normals, segments, tolerance, shininess, intensity, on, show, and row, the curve along the row of
-view.pixel.")]
+A lesson is a TOML file: a scene, and steps with a sentence, values of keys, controls and a question.
+docs/lessons.md tells how to write one.")]
     Lesson(LessonOptions),
     /// Prints a completion script for a shell
     #[command(after_help = "Example:\n  shadetrade completions bash > shadetrade.bash")]
