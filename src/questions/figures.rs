@@ -29,32 +29,27 @@ use crate::{reference, systems};
 /// Width and height of a figure, in pixels.
 const SIZE: [usize; 2] = [960, 720];
 
-/// A file name, empty if there is no file; mode, camera and lights; heading and remark of the cell.
-type Figure = (
-    &'static str,
-    ShadingMode,
-    [&'static str; 2],
-    [&'static str; 2],
-);
+/// A file name, empty if there is no file; mode, camera and lights; label.
+type Figure = (&'static str, ShadingMode, [&'static str; 2], &'static str);
 
 /// The assignment's pictures in the order of the sheet, a row for each camera.
 #[rustfmt::skip]
 const FIGURES: [Figure; 6] = [
-    ("gouraud-camera-1", Gouraud, ["1", "all"], ["Gouraud", "camera 1"]),
-    ("phong-camera-1", Phong, ["1", "all"], ["Phong", "camera 1"]),
-    ("phong-white-camera-1", Phong, ["1", "white,ambient"], ["Phong", "white and ambient, camera 1"]),
-    ("gouraud-camera-2", Gouraud, ["2", "all"], ["Gouraud", "camera 2"]),
-    ("phong-camera-2", Phong, ["2", "all"], ["Phong", "camera 2"]),
-    ("phong-white-camera-2", Phong, ["2", "white,ambient"], ["Phong", "white and ambient, camera 2"]),
+    ("gouraud-camera-1", Gouraud, ["1", "all"], "Gouraud, camera 1"),
+    ("phong-camera-1", Phong, ["1", "all"], "Phong, camera 1"),
+    ("phong-white-camera-1", Phong, ["1", "white,ambient"], "Phong, white and ambient, camera 1"),
+    ("gouraud-camera-2", Gouraud, ["2", "all"], "Gouraud, camera 2"),
+    ("phong-camera-2", Phong, ["2", "all"], "Phong, camera 2"),
+    ("phong-white-camera-2", Phong, ["2", "white,ambient"], "Phong, white and ambient, camera 2"),
 ];
 
 /// The terms of the model, and their sum.
 #[rustfmt::skip]
 const COMPONENTS: [Figure; 4] = [
-    ("", Phong, ["1", "ambient"], ["Ambient", ""]),
-    ("", Phong, ["1", "white,red"], ["Diffuse", "white and red"]),
-    ("", Phong, ["1", "specular"], ["Specular", ""]),
-    ("", Phong, ["1", "all"], ["Sum", ""]),
+    ("", Phong, ["1", "ambient"], "Ambient"),
+    ("", Phong, ["1", "white,red"], "Diffuse: white and red"),
+    ("", Phong, ["1", "specular"], "Specular"),
+    ("", Phong, ["1", "all"], "Sum"),
 ];
 
 /// File name, title, number of columns and cells of each sheet.
@@ -159,7 +154,7 @@ pub fn figures(folder: &Path) -> anyhow::Result<()> {
             if !file.is_empty() {
                 files.push((format!("{file}.png"), encode_png(frame.pixels(), SIZE)?));
             }
-            cells.push((half(frame.pixels(), SIZE), label));
+            cells.push((half(frame.pixels(), SIZE), label.to_owned()));
         }
         let (pixels, size) = sheet(title, columns, &cells, SIZE.map(|side| side / 2));
         files.push((format!("{file}.png"), encode_png(&pixels, size)?));

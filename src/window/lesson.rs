@@ -201,15 +201,9 @@ pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
         }
         Ok(pictures)
     })?;
-    let words: Vec<[String; 2]> = (1..)
-        .zip(&**lesson)
-        .map(|(number, step)| caption_of(number, step))
-        .collect();
-    let cells: Vec<_> = pictures
-        .into_iter()
-        .zip(&words)
-        .map(|(pixels, [says, answers])| (pixels, [&**says, answers]))
-        .collect();
+    let numbered = (1..).zip(&**lesson);
+    let captions = numbered.map(|(number, step)| caption_of(number, step));
+    let cells: Vec<_> = pictures.into_iter().zip(captions).collect();
     let columns = COLUMNS.min(lesson.len());
     let (pixels, sheet_size) = sheet(&title(&drawing.scene.name), columns, &cells, size);
     output.write_png(&pixels, sheet_size)?;
@@ -219,11 +213,11 @@ pub fn draw(drawing: &Drawing, output: &Output) -> anyhow::Result<()> {
 }
 
 /// The number and the sentence of a step, and its answers.
-fn caption_of(number: usize, step: &Step) -> [String; 2] {
+fn caption_of(number: usize, step: &Step) -> String {
     let answers = step.question.iter().flat_map(|it| &it.answers);
     let lines = ('a'..).zip(answers);
     let lettered = lines.map(|(letter, answer)| format!("\n{letter}) {answer}"));
-    [format!("{number}. {}", step.say), lettered.collect()]
+    format!("{number}. {}{}", step.say, lettered.collect::<String>())
 }
 
 /// The picture of a step with the words in it.

@@ -5,20 +5,18 @@
 //! +---------+   +---------+
 //! | picture |   | picture |
 //! +---------+   +---------+
-//! heading remark  heading remark     both may have several lines
+//! label         label           in several lines if it is long
 //! ```
 
 use std::sync::Arc;
 
-use egui::text::LayoutJob;
-use egui::{Align2, FontId, Galley, Painter, Rect, StrokeKind, TextFormat, pos2, vec2};
+use egui::{Align2, FontId, Galley, Painter, Rect, StrokeKind, pos2, vec2};
 
 use crate::output::paint::{annotate, color};
 
 const PAPER: u32 = 0x0024_2429;
 const FRAME: u32 = 0x003c_3c44;
 const BRIGHT: u32 = 0x00f0_f0f2;
-const DIM: u32 = 0x00a0_a0aa;
 
 /// The empty border of a sheet, in pixels.
 const MARGIN: usize = 40;
@@ -27,8 +25,6 @@ const GAP: usize = 32;
 /// From a picture to its label, and from the title to the pictures.
 const LABEL_GAP: usize = 10;
 const TITLE_GAP: usize = 24;
-/// Between the heading and the remark of a label.
-const WORD_GAP: f32 = 12.0;
 
 /// The least heights of texts in pixels, and their fonts.
 const TITLE_HEIGHT: usize = 32;
@@ -36,8 +32,8 @@ const LABEL_HEIGHT: usize = 24;
 const TITLE: FontId = FontId::proportional(28.0);
 const LABEL: FontId = FontId::proportional(19.0);
 
-/// The pixels of a picture of a sheet, row by row from the top; the first words of its label, and the rest, in a dimmer colour.
-pub type Cell<'a> = (Vec<u32>, [&'a str; 2]);
+/// The pixels of a picture of a sheet, row by row from the top, and its label.
+pub type Cell = (Vec<u32>, String);
 
 /// A picture at half its size. A pixel is the mean of four; an odd last row or column is dropped.
 pub fn half(pixels: &[u32], size: [usize; 2]) -> Vec<u32> {
@@ -103,13 +99,8 @@ pub fn sheet(
 }
 
 /// The label of a cell, no wider than its picture.
-fn label(painter: &Painter, (_, [heading, remark]): &Cell, width: usize) -> Arc<Galley> {
-    let format = |ink: u32| TextFormat::simple(LABEL, color(ink));
-    let mut text = LayoutJob::default();
-    text.wrap.max_width = width as f32;
-    text.append(heading, 0.0, format(BRIGHT));
-    text.append(remark, WORD_GAP, format(DIM));
-    painter.layout_job(text)
+fn label(painter: &Painter, (_, label): &Cell, width: usize) -> Arc<Galley> {
+    painter.layout(label.clone(), LABEL, color(BRIGHT), width as f32)
 }
 
 #[cfg(test)]
@@ -132,7 +123,7 @@ mod tests {
             0x0040_0000,
             0x0050_0000,
         ];
-        let cells = colors.map(|color| (vec![color; 60 * 40], ["A", "b"]));
+        let cells = colors.map(|color| (vec![color; 60 * 40], "A b".to_owned()));
         let (pixels, [width, height]) = sheet("Title", 3, &cells, [60, 40]);
         for color in colors {
             assert_eq!(
