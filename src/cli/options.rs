@@ -201,13 +201,9 @@ pub fn number(
     number.filter(|it| is_legal(*it)).ok_or(message)
 }
 
-/// Two whole numbers with a separator between, and neither blanks nor signs.
+/// Two whole numbers with a separator between.
 pub fn pair(text: &str, separator: char) -> Option<[usize; 2]> {
     let (one, other) = text.split_once(separator)?;
-    let is_plain = |it: char| it.is_ascii_digit() || it == separator;
-    if !text.chars().all(is_plain) {
-        return None;
-    }
     Some([one.parse().ok()?, other.parse().ok()?])
 }
 

@@ -12,8 +12,6 @@ use super::{SCENE, assert_failed, assert_works, folder, get, listing, put, run};
 const FAILURES: &str = r#"
 2  --size 0x0  ->  '0x0'|1x1 to 16384x16384
 2  rendr  ->  'rendr'|'render'
-2  --size +1x1  ->  '+1x1'|such as 960x720
-2  view --size 1x+1  ->  '1x+1'
 2  --size 16385x1  ->  '16385x1'
 2  view --size 960  ->  '960'|such as 960x720
 2  render -o b.png --size -5x5  ->  '-5x5'
