@@ -20,16 +20,15 @@ use std::time::Duration;
 use serde::Serialize;
 
 pub use self::curve::{Curve, Point};
-use self::picture::{Compared, Contender, Errors, errors};
+use self::picture::{Compared, Contender, Error, errors};
 use self::variable::Variable;
-use crate::components::View;
 use crate::output::progress::with_bar;
 use crate::output::{self, Monitor, finished, one_line, print, say};
 use crate::questions::job::{Drawing, Heading};
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::timing::of_batches;
 use crate::questions::trade::{self, is_timed};
-use crate::scene::{Scene, SceneRecord, unseen};
+use crate::scene::{Scene, SceneRecord};
 use crate::shading::limit;
 
 /// The files of a report.
@@ -79,7 +78,7 @@ impl Request {
         variable.scene(&record, value)
     }
 
-    fn errors(&self, record: &SceneRecord, contenders: &[Contender]) -> anyhow::Result<Errors> {
+    fn errors(&self, record: &SceneRecord, contenders: &[Contender]) -> anyhow::Result<Vec<Error>> {
         let drawing = &self.drawing;
         finished(errors(
             record,
@@ -114,12 +113,6 @@ impl Request {
         Ok(self.contenders.iter().map(median).collect())
     }
 
-    /// The height of the cuboids at a value, in pixels.
-    fn height(&self, variable: &Variable, value: f64) -> Option<f64> {
-        let world = self.scene(variable, value).ok()?.spawn();
-        unseen::height(&world, &View::of(&world, self.drawing.size))
-    }
-
     /// Varies one key.
     async fn panel(
         &self,
@@ -150,7 +143,7 @@ impl Request {
         for (index, contender) in self.contenders.iter().enumerate() {
             let point = |(place, value): (usize, &f64)| Point {
                 value: *value,
-                found: found[place].of[index],
+                found: found[place][index],
                 milliseconds: times.get(place).and_then(|times| times[index]),
             };
             let points = values.iter().enumerate().map(point).collect();
@@ -158,10 +151,9 @@ impl Request {
                 monitor.check()?;
                 let record = self.scene(variable, value)?;
                 let found = self.errors(&record, std::slice::from_ref(contender))?;
-                Ok(found.of.first().copied())
+                Ok(found.first().copied())
             };
-            let height = is_zoom.then_some(|value| self.height(variable, value));
-            let curve = Curve::new(contender, variable, points, limit, &mut find, height)?;
+            let curve = Curve::new(contender, variable, points, limit, is_zoom, &mut find)?;
             curves.push(curve);
             monitor.rest().await;
         }

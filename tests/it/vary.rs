@@ -65,7 +65,7 @@ fn drawn_errors(record: &SceneRecord, size: [usize; 2], contenders: &[Contender]
         Compared::All,
         Monitor::NONE,
     );
-    done(found).of
+    done(found)
 }
 
 fn variable(text: &str, record: &SceneRecord) -> Variable {

@@ -34,6 +34,14 @@ pub struct Point {
 }
 
 impl Point {
+    fn untimed(value: f64, found: Error) -> Self {
+        Point {
+            value,
+            found,
+            milliseconds: None,
+        }
+    }
+
     /// The largest error against exact Phong, by its upper bound in levels, if a cuboid is seen.
     pub fn error(&self) -> Option<f64> {
         (self.found.pixels > 0).then_some(self.found.error[1])
@@ -55,8 +63,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Finds the ranges between points. `find` gives the errors at a value, where they can be known, and `height`
-    /// that of the cuboids, where the key is a zoom.
+    /// Finds the ranges between points. `find` gives the errors at a value, where they can be known.
     ///
     /// # Errors
     /// The errors of `find`.
@@ -65,24 +72,31 @@ impl Curve {
         variable: &Variable,
         points: Vec<Point>,
         limit: f64,
+        is_zoom: bool,
         find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
-        height: Option<impl Fn(f64) -> Option<f64>>,
     ) -> anyhow::Result<Self> {
-        let dense = match &height {
-            Some(height) => &dense(variable, &points, find, height)?,
-            None => &points,
+        let dense = if is_zoom {
+            &dense(variable, &points, find)?
+        } else {
+            &points
         };
         let keeps = ranges(variable, dense, |found| found.keeps(limit), find)?;
         let empty = ranges(variable, dense, |found| found.pixels == 0, find)?;
-        let heights = height.and_then(|height| {
-            let of_range = |[from, to]: &[f64; 2]| Some([height(*from)?, height(*to)?]);
-            keeps.iter().map(of_range).collect()
-        });
+        let height = |[from, to]: &[Point; 2]| Some([from.found.height?, to.found.height?]);
+        let heights = if is_zoom {
+            keeps.iter().map(height).collect()
+        } else {
+            None
+        };
+        let values = |ranges: Vec<[Point; 2]>| {
+            let ranges = ranges.into_iter();
+            ranges.map(|ends| ends.map(|end| end.value)).collect()
+        };
         Ok(Curve {
             method: contender.id,
             heights,
-            keeps,
-            empty,
+            keeps: values(keeps),
+            empty: values(empty),
             points,
         })
     }
@@ -132,21 +146,15 @@ fn dense(
     variable: &Variable,
     points: &[Point],
     find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
-    height: impl Fn(f64) -> Option<f64>,
 ) -> anyhow::Result<Vec<Point>> {
     let mut dense: Vec<Point> = points.first().copied().into_iter().collect();
     for pair in points.windows(2) {
-        let ends = [pair[0].value, pair[1].value];
-        let [from, to] = ends.map(|value| variable.share(value));
-        let steps = steps_between(ends.map(&height)).ceil();
+        let [from, to] = [pair[0], pair[1]].map(|it| variable.share(it.value));
+        let steps = steps_between([pair[0], pair[1]].map(|it| it.found.height)).ceil();
         for step in 1..steps as u32 {
             let value = variable.at(from + (to - from) * f64::from(step) / steps);
-            let found = find(value)?.map(|found| Point {
-                value,
-                found,
-                milliseconds: None,
-            });
-            dense.extend(found);
+            let found = find(value)?;
+            dense.extend(found.map(|found| Point::untimed(value, found)));
         }
         dense.push(pair[1]);
     }
@@ -159,47 +167,44 @@ fn ranges(
     points: &[Point],
     sought: impl Fn(&Error) -> bool,
     find: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
-) -> anyhow::Result<Vec<[f64; 2]>> {
+) -> anyhow::Result<Vec<[Point; 2]>> {
     let is_in = |point: &Point| sought(&point.found);
-    let holds = &mut |value| Ok(find(value)?.as_ref().is_some_and(&sought));
-    let mut ranges: Vec<[f64; 2]> = Vec::new();
+    let inside = &mut |value| Ok(find(value)?.filter(&sought));
+    let mut ranges: Vec<[Point; 2]> = Vec::new();
     for (place, point) in points.iter().enumerate().filter(|it| is_in(it.1)) {
         let before = place.checked_sub(1).map(|place| &points[place]);
         match (before, ranges.last_mut()) {
-            (Some(before), Some(range)) if is_in(before) => range[1] = point.value,
-            (Some(before), _) => {
-                let end = end(variable, [point.value, before.value], holds)?;
-                ranges.push([end, point.value]);
-            }
-            (None, _) => ranges.push([point.value; 2]),
+            (Some(before), Some(range)) if is_in(before) => range[1] = *point,
+            (Some(before), _) => ranges.push([end(variable, [point, before], inside)?, *point]),
+            (None, _) => ranges.push([*point; 2]),
         }
         if let Some(next) = points.get(place + 1).filter(|it| !is_in(it))
             && let Some(range) = ranges.last_mut()
         {
-            range[1] = end(variable, [point.value, next.value], holds)?;
+            range[1] = end(variable, [point, next], inside)?;
         }
     }
     Ok(ranges)
 }
 
-/// The last value of a range, on the way from one inside to one outside. `holds` says whether a value is inside.
+/// The last point of a range, on the way from one inside to one outside. `inside` gives the errors at a value inside.
 fn end(
     variable: &Variable,
-    [kept, lost]: [f64; 2],
-    holds: &mut impl FnMut(f64) -> anyhow::Result<bool>,
-) -> anyhow::Result<f64> {
-    let [mut inside, mut outside] = [kept, lost].map(|value| variable.share(value));
-    let mut last = kept;
-    while (inside - outside).abs() > RESOLUTION {
-        let share = f64::midpoint(inside, outside);
+    [kept, lost]: [&Point; 2],
+    inside: &mut impl FnMut(f64) -> anyhow::Result<Option<Error>>,
+) -> anyhow::Result<Point> {
+    let [mut near, mut far] = [kept, lost].map(|it| variable.share(it.value));
+    let mut last = *kept;
+    while (near - far).abs() > RESOLUTION {
+        let share = f64::midpoint(near, far);
         let value = variable.at(share);
-        if value == last || value == lost {
+        if value == last.value || value == lost.value {
             break;
         }
-        if holds(value)? {
-            (inside, last) = (share, value);
+        if let Some(found) = inside(value)? {
+            (near, last) = (share, Point::untimed(value, found));
         } else {
-            outside = share;
+            far = share;
         }
     }
     Ok(last)

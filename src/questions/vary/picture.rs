@@ -101,6 +101,9 @@ pub struct Error {
     pub own_error: [f64; 2],
     /// The compared pixels in which the contender shows a cuboid. Without one the errors are no evidence.
     pub pixels: usize,
+    /// The height of the cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
+    #[serde(skip)]
+    pub height: Option<f64>,
 }
 
 impl Error {
@@ -108,15 +111,6 @@ impl Error {
     pub fn keeps(&self, limit: f64) -> bool {
         self.pixels > 0 && Verdict::of(self.error, limit) == Verdict::Proven
     }
-}
-
-/// The errors of a picture.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Errors {
-    /// By contender.
-    pub of: Vec<Error>,
-    /// The height of the cuboids in the picture, in pixels; `None` if a part of one is not before the eye.
-    pub height: Option<f64>,
 }
 
 /// The pixels of a picture that are compared.
@@ -134,7 +128,8 @@ type Definition = (ShadingMode, Option<usize>);
 /// The pixels of a contender: the face at each, and its levels.
 type Shown<'a> = Box<dyn Fn([usize; 2]) -> (Option<usize>, [f64; 3]) + 'a>;
 
-/// Draws the picture of a scene from its active camera by each contender, and compares pixels near cuboids with enclosures.
+/// Draws the picture of a scene from its active camera by each contender, and compares pixels near cuboids with enclosures. The
+/// errors are in the order of the contenders.
 ///
 /// # Errors
 /// If a picture does not fit in memory, or the work is cancelled.
@@ -145,7 +140,7 @@ pub async fn errors(
     level: Level,
     compared: Compared,
     monitor: Monitor<'_>,
-) -> anyhow::Result<Errors> {
+) -> anyhow::Result<Vec<Error>> {
     let mut world = record.spawn();
     let view = View::of(&world, size);
     let phong = view.shaded(ShadingMode::Phong);
@@ -165,14 +160,15 @@ pub async fn errors(
         Compared::Lattice(_) => HashMap::new(),
     };
     let exact = Reference::<Interval>::new(&world, &phong);
-    let mut found = Errors {
-        of: vec![Error::default(); contenders.len()],
+    let none = Error {
         height: unseen::height(&world, &view),
+        ..Error::default()
     };
+    let mut found = vec![none; contenders.len()];
     let [columns, rows] = lattice(bounds(&exact), compared);
     for y in rows {
         exact.part_of_row(y, columns.clone(), |x, seen| {
-            for (picture, error) in pictures.iter().zip(&mut found.of) {
+            for (picture, error) in pictures.iter().zip(&mut found) {
                 let (face, levels) = picture([x, y]);
                 error.pixels += usize::from(face.is_some());
                 enlarge(&mut error.error, face, levels, seen);
@@ -180,7 +176,7 @@ pub async fn errors(
         });
         for (definition_of, reference) in &own {
             reference.part_of_row(y, columns.clone(), |x, seen| {
-                let all = contenders.iter().zip(&pictures).zip(&mut found.of);
+                let all = contenders.iter().zip(&pictures).zip(&mut found);
                 for ((contender, picture), error) in all {
                     if contender.definition().as_ref() == Some(definition_of) {
                         let (face, levels) = picture([x, y]);
@@ -192,7 +188,7 @@ pub async fn errors(
         monitor.check()?;
         monitor.rest().await;
     }
-    for (contender, error) in contenders.iter().zip(&mut found.of) {
+    for (contender, error) in contenders.iter().zip(&mut found) {
         if contender.definition().is_none() {
             error.own_error = error.error;
         }

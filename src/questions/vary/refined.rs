@@ -11,7 +11,7 @@ use std::sync::Arc;
 use fearless_simd::Level;
 
 use super::curve::{Curve, Point, RESOLUTION, steps_between};
-use super::picture::{Compared, Contender, Errors, TEXTBOOK, errors};
+use super::picture::{Compared, Contender, Error, TEXTBOOK, errors};
 use super::variable::Variable;
 use crate::components::{ShadingMode, Viewer};
 use crate::output::Monitor;
@@ -35,7 +35,7 @@ pub struct Refined {
     /// The scene with the first value, without what no error depends on.
     scene: Arc<SceneRecord>,
     /// By value.
-    found: Vec<(f64, Errors)>,
+    found: Vec<(f64, Vec<Error>)>,
     pub is_all: bool,
     /// Whether the variable is the zoom of the camera.
     is_zoom: bool,
@@ -120,8 +120,8 @@ impl Refined {
         if let Some(end) = [variable.from, variable.to].get(self.found.len()) {
             return Some(*end);
         }
-        let is_kept = |errors: &Errors| -> Vec<bool> {
-            errors.of.iter().map(|it| it.keeps(self.limit)).collect()
+        let is_kept = |errors: &[Error]| -> Vec<bool> {
+            errors.iter().map(|it| it.keeps(self.limit)).collect()
         };
         let gaps = self.found.windows(2).filter_map(|pair| {
             let [from, to] = [&pair[0], &pair[1]].map(|it| variable.share(it.0));
@@ -130,7 +130,7 @@ impl Refined {
             let longest = if is_end { RESOLUTION } else { GAP };
             let mut excess = (to - from) / longest;
             if self.is_zoom {
-                excess = excess.max(steps_between([pair[0].1.height, pair[1].1.height]));
+                excess = excess.max(steps_between([pair[0].1[0].height, pair[1].1[0].height]));
             }
             (excess > 1.0 && pair[0].0 < middle && middle < pair[1].0).then_some((middle, excess))
         });
@@ -141,28 +141,17 @@ impl Refined {
     /// The curves as far as they are known, each with its method; `None` is the textbook's formula in f32.
     pub fn curves(&self) -> Vec<(Option<Method>, Curve)> {
         let contenders = contenders(self.scene.view.tolerance);
-        let height = |value: f64| {
-            let found = self.found.iter().find(|it| it.0 == value)?;
-            found.1.height
-        };
         let curve = |(index, contender): (usize, &Contender)| {
-            let point = |(value, errors): &(f64, Errors)| Point {
+            let point = |(value, errors): &(f64, Vec<Error>)| Point {
                 value: *value,
-                found: errors.of[index],
+                found: errors[index],
                 milliseconds: None,
             };
             let points = self.found.iter().map(point).collect();
             // Between two values nothing is known.
             let unknown = &mut |_| Ok(None);
-            let height = self.is_zoom.then_some(height);
-            let curve = Curve::new(
-                contender,
-                &self.variable,
-                points,
-                self.limit,
-                unknown,
-                height,
-            );
+            let (variable, limit) = (&self.variable, self.limit);
+            let curve = Curve::new(contender, variable, points, limit, self.is_zoom, unknown);
             Some((contender.method, curve.ok()?))
         };
         contenders.iter().enumerate().filter_map(curve).collect()

@@ -118,7 +118,7 @@ fn values_are_drawn_and_compared_at_the_size_of_the_picture_as_the_command_does(
             let value = curves[0].1.points[index].value;
             let scene = zoom.scene(&record, value).expect("it is legal");
             let all = errors(&scene, size, &contenders, level, Compared::All, none);
-            for (all, (_, curve)) in done(all).of.iter().zip(&curves) {
+            for (all, (_, curve)) in done(all).iter().zip(&curves) {
                 let some = curve.points[index].found;
                 // A box takes half of the rectangle around it at least.
                 if all.pixels <= PIXELS / 4 {
