@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Context;
 
-use self::sheet::{half, sheet};
+use self::sheet::sheet;
 use crate::components::ShadingMode::{self, Gouraud, Phong};
 use crate::components::{TriangleId, View, viewer};
 use crate::output::files::make_folder;
@@ -26,8 +26,9 @@ use crate::shading::simd;
 use crate::systems::frame::{Frame, Keep, Workers, display_pixel};
 use crate::{reference, systems};
 
-/// Width and height of a figure, in pixels.
+/// Width and height of a figure, and of a picture on a sheet, in pixels.
 const SIZE: [usize; 2] = [960, 720];
+const CELL: [usize; 2] = [480, 360];
 
 /// A file name, empty if there is no file; mode, camera and lights; label.
 type Figure = (&'static str, ShadingMode, [&'static str; 2], &'static str);
@@ -146,17 +147,20 @@ pub fn figures(folder: &Path) -> anyhow::Result<()> {
     let mut files = Vec::new();
     for (file, title, columns, figures) in SHEETS {
         let mut cells = Vec::new();
-        for &(file, mode, [camera, lights], label) in figures {
+        for &(name, mode, [camera, lights], label) in figures {
             scene.look_from(camera)?;
             scene.switch_lights(lights)?;
-            let view = View::of(&scene.world, SIZE).shaded(mode);
-            systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
-            if !file.is_empty() {
-                files.push((format!("{file}.png"), encode_png(frame.pixels(), SIZE)?));
+            for size in [SIZE, CELL] {
+                let view = View::of(&scene.world, size).shaded(mode);
+                systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
+                if size == CELL {
+                    cells.push((frame.pixels().to_vec(), label.to_owned()));
+                } else if !name.is_empty() {
+                    files.push((format!("{name}.png"), encode_png(frame.pixels(), SIZE)?));
+                }
             }
-            cells.push((half(frame.pixels(), SIZE), label.to_owned()));
         }
-        let (pixels, size) = sheet(title, columns, &cells, SIZE.map(|side| side / 2));
+        let (pixels, size) = sheet(title, columns, &cells, CELL);
         files.push((format!("{file}.png"), encode_png(&pixels, size)?));
     }
     write_into(folder, files.iter().map(|(name, content)| (name, content)))?;

@@ -35,21 +35,6 @@ const LABEL: FontId = FontId::proportional(19.0);
 /// The pixels of a picture of a sheet, row by row from the top, and its label.
 pub type Cell = (Vec<u32>, String);
 
-/// A picture at half its size. A pixel is the mean of four; an odd last row or column is dropped.
-pub fn half(pixels: &[u32], size: [usize; 2]) -> Vec<u32> {
-    let [width, height] = size.map(|side| side / 2);
-    let means = (0..width * height).map(|index| {
-        let [x, y] = [index % width * 2, index / width * 2];
-        let four = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| pixels[(y + j) * size[0] + x + i]);
-        let mean = |shift: u32| {
-            let sum: u32 = four.iter().map(|color| color >> shift & 0xff).sum();
-            ((sum + 2) / 4) << shift
-        };
-        mean(16) | mean(8) | mean(0)
-    });
-    means.collect()
-}
-
 /// Cells whose pictures have this width and height, in rows of `columns` under a `title`. Returns pixels, width and height.
 pub fn sheet(
     title: &str,
@@ -106,13 +91,6 @@ fn label(painter: &Painter, (_, label): &Cell, width: usize) -> Arc<Galley> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_pixel_at_half_size_is_the_mean_of_four() {
-        let pixels = [0, 0, 0x00ff_0000, 0, 0, 0x0000_0004, 0, 0x00ff_0000];
-        // 0, 0, 0 and 4 have the mean 1; two of four at 255 have the mean 127.5, which rounds up.
-        assert_eq!(half(&pixels, [4, 2]), [0x0000_0001, 0x0080_0000]);
-    }
 
     #[test]
     fn a_sheet_shows_every_picture_completely_and_leaves_its_margin_empty() {
