@@ -146,10 +146,15 @@ impl Scene {
     /// If a chosen light does not exist. No light is switched then.
     pub fn switch_lights(&mut self, chosen: &str) -> anyhow::Result<()> {
         let lights = names::<Light>(&self.world);
+        // A name may begin or end with a blank.
+        let known = |name: &str| {
+            let is_whole = lights.iter().any(|it| it == name);
+            if is_whole { name } else { name.trim() }.to_owned()
+        };
         let chosen = match chosen {
             "all" => lights.clone(),
             "none" => Vec::new(),
-            chosen => chosen.split(',').map(str::to_owned).collect(),
+            chosen => chosen.split(',').map(known).collect(),
         };
         for name in &chosen {
             check_known("light", name, &lights)?;

@@ -9,6 +9,7 @@
 //! page      |row row|window|row row|window|row row|
 //! ```
 
+use std::fmt::Write;
 use std::future::poll_fn;
 use std::mem;
 use std::ops::Range;
@@ -18,7 +19,7 @@ use std::sync::{Mutex, PoisonError};
 use std::task::{Context as TaskContext, Poll, Waker};
 
 use anyhow::{Context, ensure};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use rayon::prelude::*;
 
 /// The error of work that is cancelled.
@@ -135,8 +136,17 @@ pub fn bands(height: usize) -> impl Iterator<Item = Range<usize>> {
 /// # Errors
 /// The errors of `work`.
 pub fn with_bar<T>(work: impl AsyncFnOnce(Monitor<'_>) -> anyhow::Result<T>) -> anyhow::Result<T> {
-    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %")
-        .context("the template of the progress bar is wrong")?;
+    let time_left = |state: &ProgressState, text: &mut dyn Write| {
+        // Before the first estimate it is 0.
+        let left = state.eta();
+        if left.as_secs() > 0 {
+            // A failure would leave the bar without the time.
+            let _ = write!(text, ", {:#} left", HumanDuration(left));
+        }
+    };
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %{left}")
+        .context("the template of the progress bar is wrong")?
+        .with_key("left", time_left);
     let bar = ProgressBar::new(1000).with_style(style);
     let progress = |step, share: f64| {
         if bar.message() != step {

@@ -1,5 +1,5 @@
-//! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, and the cause of
-//! their difference.
+//! The evaluation of pixels: vectors, the term of each light, the levels of Gouraud, Phong and the reference, the cause of
+//! their difference, and the cost.
 //!
 //! The levels under Gouraud and Phong come from the renderer at the view's tolerance. Vectors and terms come from the
 //! reference in f64.
@@ -19,9 +19,10 @@ use crate::components::{
 use crate::output::memory::OutOfMemory;
 use crate::reference::{self, LightSample, Reference, Sample};
 use crate::scene::Scene;
+use crate::shading::SquareKind;
 use crate::shading::square::MAX_SIDE;
 use crate::systems;
-use crate::systems::frame::{Frame, Keep, Workers, display_step};
+use crate::systems::frame::{Frame, Keep, SQUARE_EDGE, Workers, display_step};
 
 /// The largest number of terms in a section.
 const MOST_TERMS: usize = 20_000;
@@ -58,9 +59,10 @@ pub struct ProbedSurface {
     pub phong: DVec3,
     /// The levels of the picture, unclamped.
     pub drawn: [f64; 3],
-    /// The way the picture was drawn: its mode, and its tolerance in levels.
+    /// The way the picture was drawn: its mode, its tolerance in levels, and the kind of the square around the pixel.
     pub mode: ShadingMode,
     pub tolerance: f64,
+    pub kind: SquareKind,
 }
 
 /// A light as the scene has it.
@@ -173,6 +175,7 @@ pub fn section(
                     .map_or_else(|| levels(&own), |it| it.at([x, y])[0].levels),
                 mode: view.mode(**mode),
                 tolerance: view.tolerance,
+                kind: SquareKind::ALL[usize::from(own.kinds()[row + x] & !SQUARE_EDGE)],
                 sample,
             }
         });

@@ -30,6 +30,10 @@ const TYPES: [(&str, &str); 7] = [
     ("type: map", "type: table"),
 ];
 
+/// The minus of print, which is pasted from documents, and the words about it.
+const MINUS: char = '\u{2212}';
+const OF_MINUS: &str = "; \u{2212} is U+2212, write -";
+
 /// In characters. Longer lines and messages are cut.
 const WIDEST_LINE: usize = 100;
 const WIDEST_MESSAGE: usize = 400;
@@ -184,7 +188,12 @@ fn check_numbers(key: &str, value: &mut Value) -> Result<(), Mistake> {
 /// A message of serde in the words of users.
 fn in_words(message: &str) -> String {
     let in_words = |message: String, (name, words)| message.replace(name, words);
-    TYPES.into_iter().fold(message.to_owned(), in_words)
+    let message = TYPES.into_iter().fold(message.to_owned(), in_words);
+    if message.contains(MINUS) {
+        message + OF_MINUS
+    } else {
+        message
+    }
 }
 
 /// The message about a mistake in these bytes of a text: the name `file` of the text, line and column from 1, the first line
@@ -209,7 +218,10 @@ pub fn located(file: &str, text: &str, span: &Range<usize>, message: &str) -> an
     let marked = first_line(text.get(span.clone()).unwrap_or_default());
     let indent = column - 1 - skipped;
     let carets = marked.chars().count().clamp(1, WIDEST_LINE - indent);
-    let message: String = message.chars().take(WIDEST_MESSAGE).collect();
+    let mut message: String = message.chars().take(WIDEST_MESSAGE).collect();
+    if marked.starts_with(MINUS) && !message.ends_with(OF_MINUS) {
+        message += OF_MINUS;
+    }
     let gutter = " ".repeat(line.to_string().len());
     let (indent, carets) = (" ".repeat(indent), "^".repeat(carets));
     let file = file.replace('\n', "\\n");

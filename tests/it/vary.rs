@@ -468,6 +468,7 @@ fn the_command_writes_what_it_prints() {
         "camera.1.orbit.zoom",
         "gouraud-0.5",
         "textbook-f32",
+        "ms",
         "Nothing is drawn",
     ] {
         assert!(svg.contains(text), "{text}");

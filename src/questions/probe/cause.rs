@@ -1,10 +1,11 @@
-//! Sentences about the difference between interpolation and exact Phong at a pixel.
+//! Sentences about a pixel: the cause of the difference between interpolation and exact Phong, and the cost.
 
 use super::ProbedSurface;
 use crate::components::{LightKind, ShadingMode};
 use crate::output::words::{CHANNELS, short};
 use crate::questions::metrics::displayed;
 use crate::reference::{LightSample, Sample};
+use crate::shading::SquareKind;
 
 /// Levels that differ by less than this agree: no eye tells them apart.
 const AGREE: f64 = 1.0;
@@ -141,6 +142,32 @@ impl ProbedSurface {
         let cause =
             format!("{cause}. The light adds {gouraud} levels of {color} instead of {phong}.");
         Some([cause, evidence])
+    }
+
+    /// The evaluations of the model in the square of the pixel.
+    pub fn cost(&self) -> String {
+        let (kind, within) = (self.kind.name(), self.tolerance);
+        match (self.mode, self.kind) {
+            (ShadingMode::Flat, _) => "The model is evaluated once a face.".to_owned(),
+            (ShadingMode::Gouraud, SquareKind::PerPixel | SquareKind::InF64) => {
+                "The model is not evaluated here: the levels of three vertices are interpolated at every pixel."
+                    .to_owned()
+            }
+            (ShadingMode::Gouraud, _) => format!(
+                "The model is not evaluated here: Gouraud interpolates the levels of three vertices. In the square around \
+                 this pixel a polynomial ({kind}) stands for that, proven within {within}."
+            ),
+            (_, SquareKind::PerPixel) => {
+                "The model is evaluated here, as at every pixel of the square.".to_owned()
+            }
+            (_, SquareKind::InF64) => {
+                "The model is evaluated here in f64, as at every pixel of the square.".to_owned()
+            }
+            _ => format!(
+                "The model is evaluated at nine places of the square around this pixel. A polynomial through them ({kind}) \
+                 is proven within {within}."
+            ),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A report as `trade.md` and as the table of the terminal. Both show the figures of `COLUMNS`.
 
 use super::timing::BATCHES;
+use super::verdict::verdict;
 use super::{LeftOut, Measurement, Report, is_timed};
 use crate::output::words::{self, aligned, counted, interval, joined, short, wrapped};
 
@@ -33,15 +34,16 @@ fn timed(one: &Measurement, text: String) -> String {
 const RANGE: &str = "range of 8 runs";
 const _: () = assert!(BATCHES == 8);
 
-/// The text for a terminal: the view and the machine, the table, and the meaning of its columns.
+/// The text for a terminal: the verdict, the view and the machine, the table, and the meaning of its columns.
 pub fn table(report: &Report) -> String {
     let mut paragraphs = vec![
+        wrapped(&verdict(&report.methods)),
         wrapped(&subject(report)) + "\n" + &wrapped(&place(report)),
         aligned(&head(), rows(report)),
         wrapped(&left_out(report)),
         wrapped(&legend(report)),
     ];
-    // Mostly nothing is left out.
+    // The verdict may have nothing to say, and mostly nothing is left out.
     paragraphs.retain(|paragraph| !paragraph.is_empty());
     paragraphs.join("\n\n") + "\n"
 }
@@ -53,7 +55,8 @@ pub fn markdown(report: &Report) -> String {
         left_out += "\n\n";
     }
     format!(
-        "{}  \n{}  \n`{}`\n\n{}\n{}{} trade.json has the other figures.\n",
+        "{}\n\n{}  \n{}  \n`{}`\n\n{}\n{}{} trade.json has the other figures.\n",
+        verdict(&report.methods),
         subject(report),
         place(report),
         report.command,

@@ -5,18 +5,39 @@
 use super::{Measurement, is_timed};
 use crate::components::Segments;
 use crate::components::ShadingMode::{BlinnPhong, Flat, Gouraud, Phong, UnitVectors};
-use crate::output::words::{capital, counted, is_narrow, short, sure_pace};
+use crate::output::words::{capital, counted, is_narrow, joined, pace, short, sure_pace};
 use crate::shading::Method;
 
 /// An error that changes a displayed byte by one at most, in levels.
 pub const UNSEEN: f64 = 0.5;
 const NOTHING: &str = "Nothing is drawn in this view, so there is nothing to trade.";
 
+/// The sentences about Gouraud, Phong within half a level, the assignment's shortcut and Gouraud with enough vertices, if they
+/// were measured.
+pub fn verdict(measured: &[Measurement]) -> String {
+    if measured.iter().all(|it| it.error.is_none()) {
+        return NOTHING.to_owned();
+    }
+    let subjects = [(Gouraud, UNSEEN), (Phong, UNSEEN), (UnitVectors, 0.0)];
+    let of = |(mode, tolerance)| find(measured, Method::of(mode, tolerance));
+    // The fewest vertices whose error is not visible, or else the most.
+    let mut grids = measured.iter().filter(|it| it.method.segments.is_some());
+    let is_unseen = |it: &&Measurement| it.largest_error().is_some_and(|it| it <= 2.0 * UNSEEN);
+    let mut enough = grids.clone().find(is_unseen).or_else(|| grids.next_back());
+    // More cells are not worth a word if one suffices.
+    let one = find(measured, Method::of(Gouraud, UNSEEN));
+    if one.is_some_and(|it| is_unseen(&it)) {
+        enough = None;
+    }
+    let told = subjects.into_iter().filter_map(of).chain(enough);
+    joined(told.filter_map(|it| against_phong(measured, it, pace)), " ")
+}
+
 /// The time and the error of `shown`, against Phong and, where it is Phong, against Gouraud; `None` if it was not measured.
 /// A ratio of times is told once it is sure.
 pub fn sentence(measured: &[Measurement], shown: Method) -> Option<String> {
     let shown = find(measured, shown)?;
-    let Some(text) = against_phong(measured, shown) else {
+    let Some(text) = against_phong(measured, shown, sure_pace) else {
         return Some(NOTHING.to_owned());
     };
     Some(match gouraud_beside(measured, shown) {
@@ -59,12 +80,16 @@ fn find(measured: &[Measurement], method: Method) -> Option<&Measurement> {
 }
 
 /// The time of `shown` compared with its rival, and its error; `None` if nothing is drawn.
-fn against_phong(measured: &[Measurement], shown: &Measurement) -> Option<String> {
+fn against_phong(
+    measured: &[Measurement],
+    shown: &Measurement,
+    pace: fn([f64; 2], [f64; 2]) -> String,
+) -> Option<String> {
     let error = format!("off by {} of 255", short(shown.largest_error()?));
     let name = capital(&method_name(shown.method));
     Some(match rival(measured, shown) {
         Some(rival) => {
-            let pace = sure_pace(shown.timing.interval, rival.timing.interval);
+            let pace = pace(shown.timing.interval, rival.timing.interval);
             format!("{name}: {pace} {}, {error}.", method_name(rival.method))
         }
         None => format!("{name}: {error}."),

@@ -1,4 +1,4 @@
-//! `vary.svg`: a panel for each key, a line of errors for each contender.
+//! `vary.svg`: a panel for each key, a line for each contender; times below errors, if they were measured.
 //!
 //! ```text
 //!  error |\      Gouraud
@@ -13,13 +13,14 @@ use plotters::prelude::*;
 
 use super::export::number;
 use super::{Curve, Panel, Point, Report, Variable};
-use crate::output::chart::{self, Area, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
+use crate::output::chart::{self, Area, Axis, BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, text_style};
 use crate::output::words::rounded;
 use crate::shading::limit;
 
-/// The size of a panel, and the height of the heading, in pixels.
+/// The size of a panel, and the heights of the heading and of the times, in pixels.
 const PANEL: (u32, u32) = (540, 400);
 const HEADING: u32 = 92;
+const TIMES: u32 = 150;
 /// The axis of errors reaches from the least error, but not below this, to this, in levels.
 const LEAST: f64 = 1e-15;
 const MOST: f64 = 1e3;
@@ -61,27 +62,52 @@ fn key(area: &Area, curves: &[Curve]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Draws one panel: its axes, the limit, and the lines of all contenders.
+/// Draws one panel.
 fn draw(area: &Area, panel: &Panel, limit: f64) -> anyhow::Result<()> {
     let note = panel.emptiness().map(|note| format!(". {note}"));
     let name = format!("{}{}", panel.variable.key, note.unwrap_or_default());
     area.draw_text(&name, &text_style(13.0, INK), (58, 8))?;
-    let points = panel.curves.iter().flat_map(|curve| &curve.points);
-    let errors = points.filter_map(Point::error).filter(|it| *it > 0.0);
-    let decade = errors.fold(limit.max(1e-3), f64::min).log10().floor();
-    let least = 10.0_f64.powf(decade).max(LEAST);
+    let has_times = panel.curves.iter().any(|it| it.milliseconds().is_some());
+    let (errors, times) = area.split_vertically(if has_times { PANEL.1 - TIMES } else { PANEL.1 });
+    let largest =
+        |curve: &Curve| -> Vec<f64> { curve.points.iter().filter_map(Point::error).collect() };
+    let all = panel.curves.iter().flat_map(largest).filter(|it| *it > 0.0);
+    let least = all.fold(limit.max(1e-3), f64::min).log10().floor();
+    let range = 10.0_f64.powf(least).max(LEAST)..MOST;
+    let axis = ("levels", range);
+    lines(&errors, panel, axis, Some(limit), &Point::error)?;
+    if has_times {
+        let spans = panel.curves.iter().filter_map(Curve::milliseconds);
+        let ends = spans.fold([f64::INFINITY, 0.0], |[a, b], [c, d]| [a.min(c), b.max(d)]);
+        let range = 0.8 * ends[0]..1.25 * ends[1];
+        lines(&times, panel, ("ms", range), None, &|it| it.milliseconds)?;
+    }
+    Ok(())
+}
+
+/// Draws the axes, a limit, and the lines of all contenders.
+fn lines(
+    area: &Area,
+    panel: &Panel,
+    y: Axis,
+    limit: Option<f64>,
+    value: &dyn Fn(&Point) -> Option<f64>,
+) -> anyhow::Result<()> {
+    let least = y.1.start;
     let axis = Positions(&panel.variable);
     let label = |position: f64| axis.label(position);
     let marks = Some((axis.marks(), &label as &dyn Fn(f64) -> String));
-    let axes = [("", POSITIONS), ("levels", least..MOST)];
-    let mut chart = chart::on(&area.margin(30, 6, 6, 14), [30, 52], 10.0, axes, marks)?;
-    let Range { start, end } = POSITIONS;
-    let line = vec![(start, limit), (end, limit)];
-    chart.draw_series([PathElement::new(line, INK.mix(0.6).stroke_width(1))])?;
+    let area = area.margin(30, 6, 6, 14);
+    let mut chart = chart::on(&area, [30, 52], 10.0, [("", POSITIONS), y], marks)?;
+    if let Some(limit) = limit {
+        let Range { start, end } = POSITIONS;
+        let line = vec![(start, limit), (end, limit)];
+        chart.draw_series([PathElement::new(line, INK.mix(0.6).stroke_width(1))])?;
+    }
     for (curve, color) in panel.curves.iter().zip(COLORS.into_iter().cycle()) {
-        let point = |it: &Point| Some((axis.of(it.value), it.error()?.max(least)));
+        let point = |it: &Point| Some((axis.of(it.value), value(it)?.max(least)));
         // A line ends where there is no evidence.
-        let runs = curve.points.split(|it| it.error().is_none());
+        let runs = curve.points.split(|it| value(it).is_none());
         for run in runs.filter(|run| run.len() > 1) {
             let line: Vec<(f64, f64)> = run.iter().filter_map(point).collect();
             chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;

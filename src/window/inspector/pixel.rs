@@ -51,11 +51,16 @@ pub fn tab(ui: &mut Ui, world: &mut World, canvas: &Canvas, study: &Study) {
     let object = &surface.object;
     ui.label(format!("{object}, triangle {}", surface.triangle));
     verdict(ui, surface);
-    if surface.mode == ShadingMode::Phong {
+    let is_phong = surface.mode == ShadingMode::Phong;
+    if is_phong {
+        ui.label(surface.cost());
         ui.weak("Gouraud shading instead:");
     }
     for sentence in surface.cause().into_iter().flatten() {
         ui.label(sentence);
+    }
+    if !is_phong {
+        ui.label(surface.cost());
     }
     section(
         ui,

@@ -85,6 +85,8 @@ const FAILURES: &str = r#"
 2  prove --picture drawn.png --size 96x72  ->  --size
 2  prove --picture drawn.png -o drawn.png  ->  the input itself
 2  prove --picture drawn.png drawn.png -o map.png  ->  -o shows one picture
+# The minus of print.
+2  render -o b.png --set light.white.intensity=−0.5  ->  write -
 # Lessons.
 2  lesson  ->  NAME|FILE
 2  lesson --list --size 9x9  ->  --list

@@ -37,7 +37,7 @@ fn a_scene_from_a_pipe_is_measured_in_every_batch_by_the_named_methods() {
     assert_eq!(get(&out, "error.png"), b"mine");
     let table = String::from_utf8(output.stdout).expect("a table is UTF-8");
     assert!(table.contains("phong-1 ") && !table.contains("phong-unit-vectors"));
-    // The table names no file.
+    // No sentence is about these methods, and the table names no file.
     assert!(table.starts_with("/dev/stdin, camera") && !table.contains("trade.json"));
 
     // A shell takes the command apart as it was given.

@@ -1,8 +1,9 @@
-//! What the probe says in words and in rows: the cause of a difference, and the page on which it is worked out.
+//! What the probe says in words and in rows: the cause of a difference, the cost of a pixel, and the page on which it is worked out.
 
 use shadetrade::questions::probe::Probe;
 use shadetrade::reference::LightSample;
 use shadetrade::scene::BUILT_IN;
+use shadetrade::shading::SquareKind::{InF64, Linear, PerPixel, Quadratic};
 use shadetrade::systems::frame::display_step;
 
 use super::{at, surface_of};
@@ -60,6 +61,23 @@ fn unit_vectors_are_as_short_as_their_mean() {
     assert!((sample.normal_length - 3.0_f64.sqrt().recip()).abs() < 1e-3);
     let [sentence, evidence] = surface.cause().expect("the reference sees the face");
     assert!(sentence.contains("too short") && evidence.contains("0.58"));
+}
+
+#[test]
+fn the_cost_is_that_of_the_square() {
+    use ShadingMode::{Gouraud, Phong, UnitVectors};
+    for (mode, kind, words) in [
+        (Phong, Quadratic, ["nine", "(quadratic)"]),
+        (Phong, PerPixel, ["is evaluated", "every pixel"]),
+        (Gouraud, Linear, ["not evaluated", "(linear)"]),
+        (Gouraud, PerPixel, ["not evaluated", "every pixel"]),
+        (UnitVectors, InF64, ["is evaluated", "f64"]),
+    ] {
+        let mut surface = surface_of(mode, [480, 360], |_| ());
+        surface.kind = kind;
+        let cost = surface.cost();
+        assert!(words.iter().all(|word| cost.contains(word)), "{cost}");
+    }
 }
 
 /// The three numbers after this label, in its first row of a page.

@@ -12,6 +12,7 @@ Keys that do not exist or are missing.
  1 ¦ backgrund = [1, 2, 3]             ¦ 1:1   ¦ `backgrund`
  4 ¦ colour = 3⏎size = [4, 3, 2]       ¦ 4:1   ¦ `colour`
  9 ¦ shininess = 2⏎  emission = 3      ¦ 10:3  ¦ `emission`
+14 ¦ intensity = −10.0                ¦ 14:13 ¦ U+2212
 14 ¦ intesity = 10.0                   ¦ 14:1  ¦ `intesity` ¦ `intensity`
 20 ¦ fov = 30.0⏎far = 3                ¦ 21:1  ¦ `far`
 22 ¦ orbit = { zom = 2 }               ¦ 22:11 ¦ `zom` ¦ `zoom`

@@ -9,6 +9,7 @@ use shadetrade::output::{CANCELLED, json};
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::trade::timing::{MIN_SAMPLES, Timing};
+use shadetrade::questions::trade::verdict::verdict;
 use shadetrade::questions::trade::{
     self, Measured, Measurement, Report, Request, accuracy, batch, export, measure, plot,
 };
@@ -217,6 +218,8 @@ fn views_with_little_or_nothing_to_measure_have_a_report() {
         for one in &report.methods {
             assert_eq!((one.largest_error(), one.highlight_kept), (Some(0.0), None));
         }
+        let verdict = verdict(&report.methods);
+        assert!(verdict.contains("off by 0 of 255"), "{verdict}");
     }
 }
 

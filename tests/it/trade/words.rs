@@ -1,11 +1,11 @@
-//! The words about a method, which must agree with the numbers.
+//! The words of the verdict, which must agree with the numbers.
 
 use serde::Deserialize;
 use serde_json::Value;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::output::words::pace;
 use shadetrade::questions::trade::Measurement;
-use shadetrade::questions::trade::verdict::{is_sure, sentence};
+use shadetrade::questions::trade::verdict::{is_sure, sentence, verdict};
 use shadetrade::shading::Method;
 
 use super::example;
@@ -91,7 +91,7 @@ fn times_within_noise_are_called_neither_faster_nor_slower() {
         let sentences = measured
             .iter()
             .filter_map(|it| sentence(&measured, it.method));
-        for text in sentences {
+        for text in sentences.chain([verdict(&measured)]) {
             let is_neither = !text.contains("fast") && !text.contains("slow");
             assert!(is_neither, "{text}");
         }
@@ -99,10 +99,20 @@ fn times_within_noise_are_called_neither_faster_nor_slower() {
 }
 
 #[test]
-fn an_empty_picture_and_a_time_that_is_not_comparable_are_told() {
-    let empty = example::empty_report().methods;
-    let text = sentence(&empty, empty[0].method).expect("it is measured");
-    assert!(text.contains("othing is drawn"), "{text}");
+fn the_verdict_is_about_the_methods_that_were_measured() {
+    let usual = "Gouraud|163|xact Phong|unit vectors|171";
+    for (report, words, others) in [
+        (example::report(), usual, "Exact Phong"),
+        (example::empty_report(), "othing is drawn", "off by"),
+    ] {
+        let text = verdict(&report.methods);
+        assert!(words.split('|').all(|word| text.contains(word)), "{text}");
+        assert!(!text.contains(others), "{text}");
+        let alone = verdict(&report.methods[..1]);
+        let mut others = ["fast", "unit"].into_iter();
+        assert!(!others.any(|word| alone.contains(word)), "{alone}");
+    }
+    // The time of the shortcut is not comparable.
     let (measured, shortcut) = (example::report().methods, Method::of(UnitVectors, 0.0));
     let text = sentence(&measured, shortcut).expect("it is measured");
     assert!(!text.contains("Phong"), "{text}");
