@@ -22,6 +22,7 @@ use serde::Serialize;
 pub use self::curve::{Curve, Point};
 use self::picture::{Compared, Contender, Error, errors};
 use self::variable::Variable;
+use crate::components::alike;
 use crate::output::progress::with_bar;
 use crate::output::{self, Monitor, finished, one_line, print, say};
 use crate::questions::job::{Drawing, Heading};
@@ -54,6 +55,12 @@ pub struct Panel {
 }
 
 impl Panel {
+    /// Whether the errors are the same at every value.
+    pub fn is_still(&self) -> bool {
+        let mut curves = self.curves.iter();
+        curves.all(|curve| alike(curve.points.iter().map(|it| it.found)).is_some())
+    }
+
     /// A sentence about where nothing is drawn.
     pub fn emptiness(&self) -> Option<String> {
         let places = self.curves.first()?.emptiness()?;
@@ -195,6 +202,9 @@ pub fn run(request: &Request, out: Option<&Path>, as_json: bool) -> anyhow::Resu
     }
     let report = with_bar(async |monitor| measure(request, monitor).await)?;
     print(&report, as_json, None, || export::text(&report))?;
+    for panel in report.keys.iter().filter(|panel| panel.is_still()) {
+        say(&format!("no error depends on {}", panel.variable.key));
+    }
     if let Some(folder) = out {
         let texts = [output::json(&report)?, plot::svg(&report)?];
         output::write_into(folder, FILES.into_iter().zip(texts))?;

@@ -347,7 +347,7 @@ fn a_range_of_any_number_of_decades_has_even_steps() {
 }
 
 #[test]
-fn own_errors_are_against_the_definition() {
+fn own_errors_are_against_the_definition_and_a_still_key_says_so() {
     let report = varied(&built_in_record(), "light.white.intensity=5..20", 3);
     let [gouraud, phong, textbook, reference] = &report.keys[0].curves[..] else {
         panic!("{report:?}");
@@ -360,6 +360,10 @@ fn own_errors_are_against_the_definition() {
         assert!(points.all(|it| it.found.own_error == it.found.error));
     }
     assert!(reference.points.iter().all(|it| it.found.error[1] < 1e-9));
+    assert!(!report.keys[0].is_still());
+    let mut record = built_in_record();
+    record.light[0].on = false;
+    assert!(varied(&record, "light.white.intensity=5..20", 3).keys[0].is_still());
 }
 
 #[test]

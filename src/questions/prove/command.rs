@@ -193,9 +193,10 @@ fn lines(drawing: &Drawing, judged: &Judged) -> Vec<String> {
     lines.extend(judged.causes.iter().map(|it| format!("cause      {it}")));
     lines.extend([
         format!(
-            "proven     {} of {}",
+            "proven     {} of {}, {} of them in squares",
             proof.proven,
-            counted(proof.pixels, "pixel")
+            counted(proof.pixels, "pixel"),
+            proof.in_squares
         ),
         format!("refuted    {}", proof.refuted),
         format!("undecided  {}", proof.undecided),

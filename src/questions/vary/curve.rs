@@ -119,15 +119,11 @@ impl Curve {
         joined(ranges.iter().map(range), ", ")
     }
 
-    /// The heights of the cuboids in the ranges that keep the tolerance, in words.
-    pub fn heights_kept(&self) -> String {
-        let height = |[from, to]: &[f64; 2]| interval([from.min(*to), from.max(*to)], short);
-        joined(self.heights.iter().flatten().map(height), ", ")
-    }
-
     /// The ranges that keep the tolerance, in words.
     pub fn kept(&self) -> String {
-        let (places, heights) = (self.places(&self.keeps), self.heights_kept());
+        let places = self.places(&self.keeps);
+        let height = |[from, to]: &[f64; 2]| interval([from.min(*to), from.max(*to)], short);
+        let heights = joined(self.heights.iter().flatten().map(height), " or ");
         if heights.is_empty() {
             return places;
         }
