@@ -133,6 +133,7 @@
 //!   [`mod@questions::prove`] compares the drawn picture with that. `reference/square.rs` encloses most pixels
 //!   under Phong in squares of 16 to 4 pixels a side: nine enclosed samples, and a bound on the error of their
 //!   biquadratic. A pixel that its square does not prove is enclosed by itself.
+//! - In the window proofs follow the picture while it moves, if one takes less than 0.3 s.
 //!
 //! ```
 //! # use shadetrade::components::{ShadingMode, View};

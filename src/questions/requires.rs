@@ -31,6 +31,7 @@ use crate::questions::metrics::{difference, ends};
 use crate::reference::{Interval, Real, Reference, Seen};
 use crate::scene::Scene;
 use crate::shading::limit;
+use crate::systems::frame::display_pixel;
 
 /// Pictures that are evaluated together. Each takes memory for every cuboid.
 const AT_ONCE: usize = 16;
@@ -69,6 +70,44 @@ impl Change {
     pub fn keeps(&self, tolerance: f64) -> bool {
         self.most() <= limit(tolerance)
     }
+}
+
+/// The picture without a part, as the reference draws it, 0x00RRGGBB.
+///
+/// # Errors
+/// If the work is cancelled.
+pub async fn picture_without(
+    scene: &Scene,
+    view: &View,
+    part: Part,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<u32>> {
+    let (world, view) = (&without(scene, &[part]).world, &view.unshaded());
+    if part == Part::F64 {
+        pixels(&Reference::<f32>::without(world, view, None), view, monitor).await
+    } else {
+        let reference = Reference::<f64>::without(world, view, rule(&[part]));
+        pixels(&reference, view, monitor).await
+    }
+}
+
+/// The pixels of a picture in floats.
+async fn pixels<R: Real>(
+    picture: &Reference<R>,
+    view: &View,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<Vec<u32>> {
+    let row = |y| {
+        let mut pixels = Vec::with_capacity(view.size[0]);
+        picture.row(y, |_, seen| {
+            let levels = seen[0].levels.map(|level| level.endpoints()[0]);
+            pixels.push(display_pixel(levels));
+        });
+        Ok(pixels)
+    };
+    let height = view.size[1];
+    let rows = monitor.in_parallel("leaving out a part", 0..height, [0, height], row);
+    Ok(rows.await?.concat())
 }
 
 /// One change for each list of parts. All parts of a list, at most one of them a [`Part::Rule`], are left out together.
@@ -139,6 +178,43 @@ pub struct PartChange {
     pub required: bool,
 }
 
+/// The changes of the picture without the first parts, in the order of [`parts`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PartChanges {
+    pub rows: Vec<PartChange>,
+    /// Whether these are all parts.
+    pub is_all: bool,
+}
+
+/// Adds `count` parts to those that are `known` in the same picture.
+///
+/// # Errors
+/// If the work is cancelled.
+pub async fn more_changes(
+    scene: &Scene,
+    view: &View,
+    mut known: Vec<PartChange>,
+    count: usize,
+    monitor: Monitor<'_>,
+) -> anyhow::Result<PartChanges> {
+    let parts = parts(scene);
+    let all = parts.len();
+    let next: Vec<_> = parts.into_iter().skip(known.len()).take(count).collect();
+    let left_out: Vec<_> = next.iter().map(|(part, _)| vec![*part]).collect();
+    let changes = changes(scene, view, &left_out, monitor).await?;
+    let part_change = |((part, name), change): (_, Change)| PartChange {
+        part,
+        name,
+        change,
+        required: !change.keeps(view.tolerance),
+    };
+    known.extend(next.into_iter().zip(changes).map(part_change));
+    Ok(PartChanges {
+        is_all: known.len() == all,
+        rows: known,
+    })
+}
+
 /// The change of the picture without each part, in the order of [`parts`].
 ///
 /// # Errors
@@ -148,16 +224,8 @@ pub async fn part_changes(
     view: &View,
     monitor: Monitor<'_>,
 ) -> anyhow::Result<Vec<PartChange>> {
-    let parts = parts(scene);
-    let left_out: Vec<_> = parts.iter().map(|(part, _)| vec![*part]).collect();
-    let changes = changes(scene, view, &left_out, monitor).await?;
-    let part_change = |((part, name), change): (_, Change)| PartChange {
-        part,
-        name,
-        change,
-        required: !change.keeps(view.tolerance),
-    };
-    Ok(parts.into_iter().zip(changes).map(part_change).collect())
+    let all = more_changes(scene, view, Vec::new(), usize::MAX, monitor);
+    Ok(all.await?.rows)
 }
 
 /// Sorts the parts by their errors, the largest first.

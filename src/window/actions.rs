@@ -113,7 +113,18 @@ impl App {
                 self.save_pixels(&self.labelled_picture(), self.canvas.size());
             }
             Action::Close => self.close_uppermost(),
-            Action::Quit => self.desk.quits = true,
+            Action::Quit => self.quit(),
+        }
+    }
+
+    /// Quits; with unsaved edits at the second press.
+    fn quit(&mut self) {
+        self.desk.quits = self.desk.is_warned || !self.document.is_edited();
+        if !self.desk.quits {
+            self.desk.is_warned = true;
+            self.desk.say(
+                "There are unsaved edits. Ctrl S saves them; Q again quits and offers them at the next start.",
+            );
         }
     }
 
@@ -140,7 +151,10 @@ impl App {
         let (size, rows) = (self.canvas.size(), self.canvas.rows());
         self.viewer_mut().set_pixel(pixel, size, rows);
         self.desk.awaits_worst = false;
-        if !self.desk.is_open(Tab::Pixel) {
+        // The scene's numbers stay: a click selects the cuboid there.
+        if self.desk.is_open(Tab::Scene) && !self.desk.is_high {
+            self.desk.say("\"Numbers\" explains it");
+        } else if !self.desk.is_open(Tab::Pixel) {
             self.desk.open(Tab::Pixel);
         }
     }

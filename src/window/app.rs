@@ -11,21 +11,23 @@
 //! [`App`] owns these parts and carries values between them.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 use std::time::Duration;
 
 use egui::{Event, FullOutput, OutputCommand, RawInput, ViewportId};
 use hecs::{Ref, RefMut};
 
 use super::canvas::{Canvas, REST};
-use super::controls::{Rotation, held_method, shown_method};
+use super::controls::{Rotation, shown_method};
 use super::desk::{Desk, TURN};
 use super::document::Document;
 use super::facts::change;
 use super::file::INTERVAL;
 use super::inspector::Tab;
 use super::layout::{LOW, NARROW};
+use super::pictures::or_dimmed;
 use super::study::{Runner, Study, Subject};
-use crate::components::{View, Viewer, viewer, viewer_mut};
+use crate::components::{Mesh, View, Viewer, viewer, viewer_mut};
 use crate::output::paint::{Painter, area};
 use crate::questions::job::Drawing;
 use crate::questions::probe::Probe;
@@ -38,7 +40,7 @@ pub struct App {
     pub study: Study,
     pub desk: Desk,
     pub(super) rotation: Rotation,
-    painter: Painter,
+    pub(super) painter: Painter,
     /// The pixels of the window as of the last step, row by row from the top.
     pub pixels: Vec<u32>,
     /// Width and height of the window, in pixels.
@@ -112,7 +114,7 @@ impl App {
         let world = &self.document.scene.world;
         let mut view = View::of(world, self.canvas.size());
         view.camera = view.camera.widened(self.canvas.fit);
-        let held = held_method(world, &self.study.facts);
+        let held = self.study.facts.held;
         held.map_or(view, |method| method.view(&view))
     }
 
@@ -123,8 +125,13 @@ impl App {
 
     /// The picture as it is shown, 0x00RRGGBB.
     pub fn shown(&self) -> Cow<'_, [u32]> {
-        let facts = &self.study.facts;
-        self.canvas.shown(&self.viewer(), facts, self.desk.turn())
+        let (viewer, facts) = (self.viewer(), &self.study.facts);
+        if let Some(part) = self.desk.shown_without() {
+            let known = facts.left_out.current().filter(|it| it.0 == part);
+            let frame = self.canvas.pictures.frame.pixels();
+            return or_dimmed(known.map(|it| &*it.1), frame);
+        }
+        self.canvas.shown(&viewer, facts, self.desk.turn())
     }
 
     /// Applies the events of `input`, whose places are in pixels, and draws the window of `size` pixels.
@@ -210,6 +217,11 @@ impl App {
         let world = &self.document.scene.world;
         self.canvas.fit(world, &viewer(world));
         self.outdate();
+        let last = self.canvas.last_frame(&self.document.state);
+        let budget = self.viewer().budget;
+        self.study.facts.hold(budget, last);
+        // It may have changed the method.
+        self.outdate();
         let (view, method) = (self.view(), self.method());
         let side = |pixel: [usize; 2]| (pixel, self.canvas.side_at(&self.viewer(), pixel[0]));
         let pixel = self.pixel().map(side);
@@ -233,6 +245,14 @@ impl App {
         Ok(())
     }
 
+    /// Whether the present picture is the one that was drawn last, about which the facts are.
+    pub(super) fn is_drawn(&self) -> bool {
+        let drawn = self.canvas.drawn.as_ref();
+        drawn.is_some_and(|(state, view)| {
+            Arc::ptr_eq(state, &self.document.state) && *view == self.view()
+        })
+    }
+
     /// Outdates the facts that are not those of the picture to be drawn.
     fn outdate(&mut self) {
         if let Some((state, view)) = &self.canvas.drawn {
@@ -246,6 +266,15 @@ impl App {
         let is_new = self.study.receive(now);
         let failure = self.study.take_failure();
         self.desk.say_any(failure);
+        let is_known = self.study.facts.section.is_current;
+        let clicked = self.probed().filter(|_| is_known && self.desk.has_clicked);
+        if let Some(probe) = clicked {
+            let object = probe.surface.as_ref().map(|it| it.object.clone());
+            self.desk.has_clicked = false;
+            let world = &self.document.scene.world;
+            self.desk
+                .select::<Mesh>(world, "cuboid", &object.unwrap_or_default());
+        }
         if is_new && std::mem::take(&mut self.desk.awaits_worst) {
             self.explain_worst();
         }
@@ -258,12 +287,11 @@ impl App {
         self.receive(now)
     }
 
-    /// Notes the state that keys and widgets made, and outdates the facts about the one before. An explained pixel opens its heading.
+    /// Notes the state that keys and widgets made. An explained pixel opens its heading.
     pub(super) fn note_changes(&mut self) {
         let before = self.document.state.view.pixel;
         let refused = self.document.note();
         self.desk.say_any(refused);
-        self.outdate();
         let pixel = self.document.state.view.pixel;
         if pixel.is_some() && pixel != before && self.desk.tabs.is_empty() {
             self.desk.open(Tab::Pixel);

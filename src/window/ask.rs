@@ -12,13 +12,14 @@ use crate::components::{ShadingMode, Side, View, ViewMode, Viewer, alike};
 use crate::questions::job::Drawing;
 use crate::questions::probe::{self, Probe};
 use crate::questions::prove::{Proof, prove};
-use crate::questions::requires::{part_changes, ranked};
+use crate::questions::requires::segments::fewest_segments;
+use crate::questions::requires::{Part, more_changes, picture_without};
 use crate::questions::trade::batch::time_here;
 use crate::questions::trade::verdict::is_sure;
-use crate::questions::trade::{Request, is_timed, measure};
+use crate::questions::trade::{Request, measure};
 use crate::shading::{Method, methods};
 
-/// The values of a number that are drawn before the window shows the result.
+/// The parts of the model that are left out, or the values of a number that are drawn, before the window shows the result.
 const PER_STEP: usize = 4;
 /// How long the frames of all methods are timed together, first and at most.
 const TIMING: Duration = Duration::from_secs(1);
@@ -39,6 +40,9 @@ impl Study {
         }
         if desk.is_open(Tab::Vary) {
             self.vary(subject, desk);
+        }
+        if let Some(part) = desk.shown_without() {
+            self.leave_out(subject, part);
         }
         if shows_times {
             self.measure(subject, Question::Measure);
@@ -115,6 +119,21 @@ impl Study {
         );
     }
 
+    /// Draws the picture without a part of the model.
+    fn leave_out(&mut self, subject: &Subject, part: Part) {
+        let left_out = &mut self.facts.left_out;
+        left_out.is_current &= left_out.value.as_ref().is_none_or(|it| it.0 == part);
+        self.start_if_due(
+            subject,
+            Question::LeaveOut,
+            |facts| &mut facts.left_out,
+            async move |scene, view, monitor| {
+                let pixels = picture_without(&scene, view, part, monitor).await?;
+                Ok((part, pixels))
+            },
+        );
+    }
+
     /// Measures all methods. Those that are known in this view are not compared again, and timed again for longer as long as
     /// the time of the one on screen is not sure.
     fn measure(&mut self, subject: &Subject, question: Question) {
@@ -181,13 +200,24 @@ impl Study {
         );
     }
 
-    /// Finds the parts of the model that the picture requires.
+    /// Finds the parts of the model, and then the segments, that the picture requires.
     fn require(&mut self, subject: &Subject) {
+        let found = self.facts.required.current().cloned().unwrap_or_default();
+        if !found.is_all {
+            self.start_if_due(
+                subject,
+                Question::Require,
+                |facts| &mut facts.required,
+                async move |scene, view, monitor| {
+                    more_changes(&scene, view, found.rows, PER_STEP, monitor).await
+                },
+            );
+        }
         self.start_if_due(
             subject,
-            Question::Require,
-            |facts| &mut facts.required,
-            async |scene, view, monitor| Ok(ranked(part_changes(&scene, view, monitor).await?)),
+            Question::CountSegments,
+            |facts| &mut facts.segments,
+            async |scene, view, monitor| fewest_segments(&scene, view, monitor).await,
         );
     }
 }
@@ -207,10 +237,10 @@ fn proven_views(sides: [Side; 2], view: &View) -> Vec<View> {
     if drawn.is_empty() { vec![*view] } else { drawn }
 }
 
-/// The methods that are measured: those of reports that are timed, the one on screen, and those on the sides of a wipe.
+/// The methods that are measured: those of reports, the one on screen, and those on the sides of a wipe.
 fn wanted_methods(subject: &Subject) -> Vec<Method> {
     let own = subject.record.cuboid.iter().map(|it| it.segments);
-    let mut methods: Vec<Method> = methods(alike(own)).filter(|it| is_timed(*it)).collect();
+    let mut methods: Vec<Method> = methods(alike(own)).collect();
     for method in subject.method.into_iter().chain(side_methods(subject)) {
         if !methods.contains(&method) {
             methods.push(method);

@@ -147,6 +147,12 @@ impl Canvas {
         sides(viewer)[usize::from(column >= self.divider_column(viewer))]
     }
 
+    /// The milliseconds of the last frame, where a frame of another state is to be drawn now.
+    pub fn last_frame(&self, state: &Arc<SceneRecord>) -> Option<f64> {
+        let (drawn, _) = self.drawn.as_ref()?;
+        self.pictures.time.filter(|_| !Arc::ptr_eq(drawn, state))
+    }
+
     /// Lets the picture rest if nothing has changed for [`REST`]. The layout tells of it, and comes next.
     pub fn rest(&mut self, now: Duration) {
         self.moved.take_if(|moved| now >= *moved + REST);

@@ -38,22 +38,26 @@ pub const BESIDE: f32 = 12.0;
 const CAPTION: &str = "A dot is a method, a bar the range of its times. The grey line joins the best trades, \
                        the orange one Gouraud with ever more vertices. A ring marks the method on screen, and a white \
                        line the budget. A click on a dot chooses its method. Below half \
-                       a level no displayed value changes by more than one of 255, above one level, on the red ground, some do. A paler dot is beaten by another method. Frames are drawn by all cores, or as many as --threads says; `trade` \
+                       a level no displayed value changes by more than one of 255, above one level, on the red ground, some do. A paler dot is beaten by another method; one at the right edge is not timed. Frames are drawn by all cores, or as many as --threads says; `trade` \
                        uses one.";
 /// The largest error of the axis, in levels.
 const MOST: f64 = 500.0;
 /// The radii of a dot and of the ring, in points.
 const DOT: f32 = 4.0;
 const RING: f32 = 8.5;
-
 /// A time in ms and an error in levels on the axes, which are logarithmic. A clock that does not tell times apart gives 0.
 fn logarithms((time, error): (f64, f64)) -> [f64; 2] {
     [time.max(1e-6).log10(), error.log10()]
 }
 
+/// The time at which methods that are not timed are shown: right of all others.
+fn side(known: &[Measurement]) -> f64 {
+    2.0 * known.iter().map(|it| it.timing.median).fold(0.0, f64::max)
+}
+
 /// The place of a method's dot.
-fn place(one: &Measurement) -> [f64; 2] {
-    logarithms(place_of(one, 0.0))
+fn place(one: &Measurement, side: f64) -> [f64; 2] {
+    logarithms(place_of(one, side))
 }
 
 /// Lays out the chart, and either the tolerance or the budget.
@@ -89,7 +93,11 @@ pub fn tab(ui: &mut Ui, app: &mut App) {
         ui.set_min_height(OUTCOME);
         let known = study.facts.trade.current();
         let held = known.and_then(|it| budget::held(&it.methods, budget));
-        ui.label(held.map_or_else(|| "The methods are not measured yet.".to_owned(), |it| it.1));
+        let unmeasured = || match study.facts.held {
+            Some(method) => format!("{}, not measured here yet", capital(&method_name(method))),
+            None => "The methods are not measured yet.".to_owned(),
+        };
+        ui.label(held.map_or_else(unmeasured, |it| it.1));
     });
 }
 
@@ -125,8 +133,7 @@ pub fn chart(ui: &mut Ui, study: &Study, world: &mut World) {
         ui.add(label).on_hover_text(CAPTION);
     });
     let measured = trade.current().map_or(&[][..], |it| &it.methods).iter();
-    let is_shown = |it: &&Measurement| it.error.is_some() && is_timed(it.method);
-    let known: Vec<_> = measured.filter(is_shown).cloned().collect();
+    let known: Vec<_> = measured.filter(|it| it.error.is_some()).cloned().collect();
     let mut axes = plot_of_errors("trade", CHART)
         .width(ui.available_width() - BESIDE)
         .x_grid_spacer(|input| marks(&input))
@@ -151,7 +158,7 @@ pub fn chart(ui: &mut Ui, study: &Study, world: &mut World) {
     });
     let shown = shown.inner;
     for one in &known {
-        let place = PlotPoint::from(place(one));
+        let place = PlotPoint::from(place(one, side(&known)));
         let at = shown.transform.position_from_point(&place);
         if dot(ui, one, at) {
             choose_method(world, one.method);
@@ -195,8 +202,12 @@ fn dot(ui: &Ui, one: &Measurement, at: Pos2) -> bool {
         ui.painter().circle_stroke(at, DOT + 2.0, line);
     }
     let error = short(one.largest_error());
-    let time = short(one.timing.median);
-    let text = format!("{}: {time} ms, off by {error} of 255", capital(&name));
+    let time = if is_timed(one.method) {
+        format!("{} ms", short(one.timing.median))
+    } else {
+        "not timed".to_owned()
+    };
+    let text = format!("{}: {time}, off by {error} of 255", capital(&name));
     response.on_hover_text(text).clicked()
 }
 
@@ -242,6 +253,7 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
         let line = Line::new("", points).color(ink);
         line.width(1.5).allow_hover(false)
     };
+    let place = |one| place(one, side(known));
     let front: Vec<[f64; 2]> = front(known).into_iter().map(place).collect();
     let step = |pair: &[[f64; 2]]| [pair[0], [pair[0][0], pair[1][1]], pair[1]];
     let staircase = front.windows(2).flat_map(step).collect();
@@ -252,8 +264,10 @@ fn draw(plot: &mut PlotUi, known: &[Measurement]) {
         let strength = if one.on_front { 1.0 } else { 0.6 };
         let ink = mode_ink(one.method.mode).gamma_multiply(strength);
         let [_, y] = place(one);
-        let ends = one.timing.interval.map(|time| logarithms((time, 1.0))[0]);
-        plot.line(line(ends.map(|end| [end, y]).to_vec(), ink));
+        if is_timed(one.method) {
+            let ends = one.timing.interval.map(|time| logarithms((time, 1.0))[0]);
+            plot.line(line(ends.map(|end| [end, y]).to_vec(), ink));
+        }
         let dot = Points::new("", vec![place(one)]).radius(DOT).color(ink);
         plot.points(dot.allow_hover(false));
     }

@@ -16,7 +16,6 @@ use crate::components::{
 };
 use crate::output::words::{counted, rounded};
 use crate::questions::job::camera_name;
-use crate::questions::trade::budget::held;
 use crate::scene::unseen::shows_all;
 use crate::shading::Method;
 
@@ -93,8 +92,11 @@ pub fn step_segments(world: &mut World, steps: i32) -> Option<String> {
     None
 }
 
-/// Shades every cuboid by a method of the renderer.
+/// Shades every cuboid by a method. One that the reference draws is no shading mode of scenes: a wipe compares it.
 pub fn choose_method(world: &mut World, method: Method) {
+    if !method.mode.is_drawn() {
+        return wipe(world, [Side::from(method), Side::Picture]);
+    }
     shade(world, method.mode);
     if method.mode != ShadingMode::Flat {
         set_tolerance(world, method.tolerance);
@@ -103,6 +105,9 @@ pub fn choose_method(world: &mut World, method: Method) {
         overwrite(world, &segments);
     }
 }
+
+/// From this tolerance on, in levels, squares are plain to see.
+const PLAIN: f64 = 64.0;
 
 /// Goes to the next of [`TOLERANCES`], coarser if `steps` is positive; with a budget, to a shorter time.
 pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
@@ -130,7 +135,7 @@ pub fn step_tolerance(world: &mut World, steps: i32) -> Option<String> {
         return Some(limit.to_owned());
     };
     set_tolerance(world, next);
-    None
+    (next >= PLAIN).then(|| "look around the highlight: squares show".to_owned())
 }
 
 /// Draws within this many levels. The sides of a wipe that had the tolerance before follow.
@@ -150,18 +155,10 @@ pub fn set_tolerance(world: &mut World, levels: f64) {
     (viewer.tolerance, viewer.budget) = (levels, None);
 }
 
-/// The method that holds the budget of the viewer: the most exact one that keeps it, as measured last. Before any measurement,
-/// and without a budget, there is none.
-pub fn held_method(world: &World, facts: &Facts) -> Option<Method> {
-    let budget = viewer(world).budget?;
-    let (one, _) = held(&facts.trade.value.as_ref()?.methods, budget)?;
-    Some(one.method)
-}
-
 /// The method on screen; `None` where the cuboids have different modes.
 pub fn shown_method(world: &World, facts: &Facts) -> Option<Method> {
     let own = || Some(Method::of(common(world)?, viewer(world).tolerance));
-    held_method(world, facts).or_else(own)
+    facts.held.or_else(own)
 }
 
 /// Holds this time, in milliseconds, or the usual tolerance.
@@ -239,6 +236,11 @@ pub fn zoom(world: &mut World, steps: i32) -> bool {
 pub fn show_all(world: &mut World, size: [usize; 2]) {
     viewer_mut(world).turned = 0;
     change_orbit(world, |_| Orbit::default());
+    step_back(world, size);
+}
+
+/// Moves the camera away until a picture of `size` pixels shows all cuboids.
+pub fn step_back(world: &mut World, size: [usize; 2]) {
     while !shows_all(world, &View::of(world, size)) && zoom(world, -1) {}
 }
 

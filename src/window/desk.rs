@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::inspector::{Tab, Varied};
 use super::keys::Action;
+use crate::questions::requires::Part;
 
 /// How long each of two pictures is shown while they take turns.
 pub const TURN: Duration = Duration::from_millis(500);
@@ -20,6 +21,8 @@ pub struct Desk {
     /// Whether times are shown; they are the machine's, and differ from run to run.
     pub shows_times: bool,
     pub quits: bool,
+    /// Whether it was said that edits are not saved.
+    pub is_warned: bool,
     pub help: bool,
     pub panel_folded: bool,
     /// Whether everything else is shown beside a lesson.
@@ -34,6 +37,8 @@ pub struct Desk {
     pub revealed: Option<Tab>,
     /// The number that is varied.
     pub varied: Option<Varied>,
+    /// The part of the model without which the picture is shown, while the required parts are shown.
+    pub left_out: Option<Part>,
     /// Two pictures take turns since this time, while a key is held.
     pub blinks: Option<Duration>,
     /// Of the status line, and when it goes.
@@ -42,6 +47,8 @@ pub struct Desk {
     pub file_error: Option<String>,
     /// The entity whose numbers are shown.
     pub selected: Option<EntityPlace>,
+    /// Whether a click waits until it is known which cuboid it shows. That one is selected then.
+    pub has_clicked: bool,
     /// The divider before it was moved off the worst pixel.
     pub divider: Option<f64>,
     /// Whether the worst pixel is explained as soon as it is known.
@@ -84,6 +91,11 @@ impl Desk {
     pub fn turn(&self) -> Option<usize> {
         let passed = self.now.saturating_sub(self.blinks?);
         Some((passed.as_millis() / TURN.as_millis()) as usize % 2)
+    }
+
+    /// The part without which the picture is shown.
+    pub fn shown_without(&self) -> Option<Part> {
+        self.left_out.filter(|_| self.is_open(Tab::Required))
     }
 
     pub fn is_open(&self, tab: Tab) -> bool {

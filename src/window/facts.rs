@@ -15,7 +15,9 @@ use crate::output::{Monitor, memory};
 use crate::questions::metrics::{self, ErrorStatistics, Picture, compare};
 use crate::questions::probe::Probe;
 use crate::questions::prove::Proof;
-use crate::questions::requires::PartChange;
+use crate::questions::requires::segments::FewestSegments;
+use crate::questions::requires::{Part, PartChanges};
+use crate::questions::trade::budget::{after, best_trades, fitting};
 use crate::questions::trade::{Measured, Measurement};
 use crate::questions::vary::refined::Refined;
 use crate::reference;
@@ -60,22 +62,48 @@ pub struct Facts {
     pub comparison: Latest<Comparison>,
     /// The proof of the picture, or of both sides of a wipe.
     pub proof: Latest<([Side; 2], Proof)>,
-    /// The one with the largest error first.
-    pub required: Latest<Vec<PartChange>>,
+    /// The picture without a part.
+    pub left_out: Latest<(Part, Vec<u32>)>,
+    /// It is current from its first rows on.
+    pub required: Latest<PartChanges>,
+    pub segments: Latest<Vec<FewestSegments>>,
     /// Those of a number that is varied. They are about their own scene, whatever the picture is.
     pub curves: Latest<Refined>,
     /// The trade of the view: every method measured. It is current whatever method is on screen.
     pub trade: Latest<Measured>,
+    /// The method that holds the budget: the machine's choice, and so no part of the scene.
+    pub held: Option<Method>,
 }
 
 impl Facts {
-    /// After a change of the picture, which is not [`Change::Nothing`]. The trade is about all methods.
+    /// After a change of the picture. The trade is about all methods.
     pub fn outdate(&mut self, change: Change) {
+        if change == Change::Nothing {
+            return;
+        }
         self.section.is_current = false;
         self.comparison.is_current = false;
         self.proof.is_current = false;
+        self.left_out.is_current = false;
         self.required.is_current = false;
+        self.segments.is_current = false;
         self.trade.is_current &= change == Change::Method;
+    }
+
+    /// With a budget, picks the next frame's method: the most exact measured one that fits. While the view moves, a frame over
+    /// the budget makes it a faster one; at rest all are measured again. Before any measurement the tolerance applies.
+    /// `last` are the milliseconds of the last frame, where another one is to be drawn now.
+    pub fn hold(&mut self, budget: Option<f64>, last: Option<f64>) {
+        let measured = self.trade.value.as_ref().map(|it| &it.methods[..]);
+        let (methods, costs) = best_trades(measured.unwrap_or_default());
+        self.held = budget.filter(|_| !methods.is_empty()).map(|budget| {
+            let held = methods.iter().position(|it| Some(*it) == self.held);
+            let place = match held.filter(|_| !self.trade.is_current) {
+                None => fitting(&costs, budget),
+                Some(place) => after(place, last.unwrap_or_default(), &costs, budget),
+            };
+            methods[place]
+        });
     }
 
     /// The answer about a pixel, possibly of an earlier picture.

@@ -2,6 +2,7 @@
 //! model, the proof, a number that is varied.
 
 mod pixel;
+mod row;
 mod scene;
 mod vary;
 
@@ -19,6 +20,7 @@ use super::study::Study;
 use super::widgets::{INK, action_button, offer, short, wait};
 use crate::components::{Side, ViewMode, Viewer, viewer};
 use crate::questions::job::camera_name;
+use crate::questions::requires::{PartChange, ranked};
 use crate::scene::{LESSONS, title};
 
 /// A heading of the panel.
@@ -78,10 +80,10 @@ pub fn content(ui: &mut Ui, app: &mut App, tab: Tab) {
         Tab::Scene => {
             file_rows(ui, document, desk);
             ui.separator();
-            scene::tab(ui, document, desk);
+            scene::tab(ui, document, canvas, desk);
         }
         Tab::Pixel => pixel::tab(ui, world, canvas, study),
-        Tab::Required => required_tab(ui, study, document.state.view.tolerance),
+        Tab::Required => required_tab(ui, study, document.state.view.tolerance, desk),
         Tab::Proof => proof_tab(ui, study),
         Tab::Vary => vary::tab(ui, document, canvas, study, desk),
     }
@@ -137,26 +139,52 @@ fn camera_tab(ui: &mut Ui, world: &World, desk: &mut Desk) {
 }
 
 /// A row for each part of the model, the one with the largest error first.
-fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64) {
+fn required_tab(ui: &mut Ui, study: &Study, tolerance: f64, desk: &mut Desk) {
     ui.label(format!(
         "Each row leaves out one part: the picture's largest error in levels of 255, proven, and whether tolerance \
-         {tolerance} needs the part."
+         {tolerance} needs the part. A click on a part shows the picture without it, and another click the picture again."
     ));
-    let required = &study.facts.required;
-    wait(ui, study, required.is_current);
+    let facts = &study.facts;
+    let required = &facts.required;
+    let is_all = required.current().is_some_and(|it| it.is_all);
+    wait(ui, study, is_all);
+    let rows = required.value.as_ref().map(|it| it.rows.clone());
     table(ui, "required", |ui| {
         for head in ["error", "needed", "part"] {
             ui.colored_label(INK, head);
         }
         ui.end_row();
-        for row in required.value.iter().flatten() {
-            ui.colored_label(INK, short(row.change.most()));
-            let is_kept = row.change.keeps(tolerance);
+        let rows = rows.unwrap_or_default();
+        // Rows stay in their places while others are added.
+        let rows = if is_all { ranked(rows) } else { rows };
+        for PartChange {
+            part, name, change, ..
+        } in rows
+        {
+            ui.colored_label(INK, short(change.most()));
+            let is_kept = change.keeps(tolerance);
             ui.colored_label(INK, if is_kept { "no" } else { "yes" });
-            ui.label(&row.name).on_hover_text(row.part.says());
+            let is_left_out = desk.left_out == Some(part);
+            let row = ui.selectable_label(is_left_out, name);
+            if row.on_hover_text(part.says()).clicked() {
+                desk.left_out = (!is_left_out).then_some(part);
+            }
             ui.end_row();
         }
     });
+    if is_all {
+        wait(ui, study, facts.segments.is_current);
+    }
+    for cuboid in facts.segments.value.iter().flatten() {
+        let label = ui.label(format!(
+            "{}: Gouraud needs {} segments.",
+            cuboid.cuboid,
+            cuboid.count()
+        ));
+        label.on_hover_text(
+            "The fewest segments along an edge with which Gouraud keeps the tolerance against exact Phong, proven.",
+        );
+    }
 }
 
 /// Lays out the rows of a table. The words in its last column wrap.

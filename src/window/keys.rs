@@ -152,7 +152,7 @@ pub const BINDINGS: &[(&str, &[Binding])] = &[
         ("screenshot", "Writes the window into a PNG file.", &[(NO, Key::F12, Action::Screenshot)]),
         ("save picture", "Writes the picture, the error map with its scale, or the wipe with its names into a PNG file.", &[(SHIFT, Key::F12, Action::SavePicture)]),
         ("close", "Closes the uppermost thing that can be closed.", &[(NO, Key::Escape, Action::Close)]),
-        ("quit", "Ends the program. Unsaved edits are offered at the next start.", &[(NO, Key::Q, Action::Quit)]),
+        ("quit", "Ends the program.", &[(NO, Key::Q, Action::Quit)]),
     ]),
 ];
 

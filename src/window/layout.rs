@@ -10,7 +10,7 @@ use super::controls::has_face_normals;
 use super::desk::Desk;
 use super::facts::Worst;
 use super::help::{about, help};
-use super::keys::{Action, EXACT_SIDES, binding};
+use super::keys::{Action, binding};
 use super::labels::side_name;
 use super::lesson::heading;
 use super::panel::{panel, path_row};
@@ -42,6 +42,7 @@ const LONGEST: usize = 80;
 
 const QUESTION: &str = "Same box, same lamps: where is the bright spot on the left?";
 const MIXED: &str = "The cuboids are shaded in different modes.";
+const METHOD: &str = "The method on screen.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
 
 impl App {
@@ -50,7 +51,7 @@ impl App {
         let size = ui.available_size();
         self.desk.is_high = size.y >= HIGH;
         self.take_keys(ui);
-        let was_proven = self.study.facts.proof.is_current;
+        let was_drawn = self.is_drawn();
         if !self.is_lesson_alone() {
             self.sides(ui, size);
         }
@@ -71,8 +72,8 @@ impl App {
             self.run(action);
         }
         self.note_changes();
-        if was_proven && !self.study.facts.proof.is_current {
-            // The status line tells of the picture before.
+        if was_drawn && !self.is_drawn() && self.study.facts.proof.is_current {
+            // The status line tells of the proof of the picture before.
             ui.ctx().request_discard("the picture has changed");
         }
     }
@@ -134,15 +135,16 @@ impl App {
         }
     }
 
-    /// The line below the picture: a message, the name of the picture that has its turn, or the result; and the file of edits.
+    /// The line below the picture: a message, the name of what is shown in its place, or the result; and the file of edits.
     fn status(&mut self, ui: &mut Ui) {
         if message(ui, &mut self.desk) {
             return;
         }
-        if let Some(turn) = self.desk.turn() {
-            ui.label(name_of_turn(&self.viewer(), self.method(), turn));
-        } else if self.result(ui) {
-            self.desk.wish(Action::Worst);
+        let beside = shown_beside(&self.viewer(), self.method(), &self.desk);
+        match beside {
+            Some(name) => drop(ui.label(name).on_hover_text(METHOD)),
+            None if self.result(ui) => self.desk.wish(Action::Worst),
+            None => {}
         }
         if self.document.is_edited() {
             path_row(ui, Action::Save, &self.document.target(false));
@@ -174,14 +176,25 @@ impl App {
         is_clicked
     }
 
-    /// The sentence about the proof, and its colour. `erring` is the method whose error is told before.
+    /// The sentence about the proof, and its colour. While things move, it is about the last proof, and stays the same for several
+    /// pictures, so that it can be read. `erring` is the method whose error is told before.
     fn proof_says(&self, erring: Option<Method>) -> Option<(String, Color32)> {
-        let fact = &self.study.facts.proof;
-        let Some((_, proof)) = fact.current() else {
-            // There may be too little memory.
-            let text = ["The proof follows.", "It is not proven."][usize::from(fact.is_current)];
-            let is_told = fact.is_current || self.study.is_live();
-            return is_told.then(|| (text.to_owned(), Color32::GRAY));
+        let (study, fact) = (&self.study, &self.study.facts.proof);
+        let moves = !(self.canvas.rests() && self.is_drawn());
+        let known = if moves {
+            study.last_proof()
+        } else {
+            fact.current().map(|(_, proof)| proof)
+        };
+        let Some(proof) = known else {
+            let text = match moves {
+                // There was too little memory.
+                false if fact.is_current => "It is not proven.",
+                _ if !study.is_live() => return None,
+                true if !study.follows() => "It is proven once nothing moves.",
+                _ => "It is being proven.",
+            };
+            return Some((text.to_owned(), Color32::GRAY));
         };
         let (proven, pixels) = (proof.proven, proof.pixels as u64);
         let [width, height] = self.canvas.size();
@@ -190,7 +203,9 @@ impl App {
         } else {
             ""
         };
-        let text = if proven < pixels {
+        let text = if moves {
+            format!("The last proof held for {proven} of {pixels} pixels.")
+        } else if proven < pixels {
             format!("{proven} of {pixels} pixels{both} are proven to be drawn right.")
         } else {
             let every = match erring.filter(|it| it.mode != ShadingMode::Phong) {
@@ -220,11 +235,15 @@ pub fn message(ui: &mut Ui, desk: &mut Desk) -> bool {
     desk.message.is_some()
 }
 
-/// The name of the picture that has its turn.
-fn name_of_turn(viewer: &Viewer, method: Option<Method>, turn: usize) -> String {
-    let side = match viewer.show {
-        ViewMode::Wipe => viewer.sides[turn],
-        _ => EXACT_SIDES[1 - turn],
-    };
-    side_name(&side, method)
+/// The name of what is shown in place of the picture: one without a part, or one that has its turn.
+fn shown_beside(viewer: &Viewer, method: Option<Method>, desk: &Desk) -> Option<String> {
+    if let Some(part) = desk.shown_without() {
+        return Some(part.says().to_owned());
+    }
+    let turn = desk.turn()?;
+    match (viewer.show, turn) {
+        (ViewMode::Wipe, _) => Some(side_name(&viewer.sides[turn], method)),
+        (_, 0) => Some(side_name(&Side::Reference, method)),
+        _ => Some(side_name(&Side::Picture, method)),
+    }
 }

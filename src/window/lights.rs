@@ -85,18 +85,22 @@ pub fn arrows(ui: &Ui, lamps: &[Lamp], place: Rect) {
 }
 
 impl App {
-    /// Lays out the discs of those of the lamps that are in sight. A drag moves their lights across the view.
+    /// Lays out the discs of those of the lamps that are in sight. A drag moves their lights across the view; both a drag and
+    /// a click select the first.
     pub(super) fn discs(&mut self, ui: &Ui, lamps: &[Lamp]) {
         let view = self.view();
         let world = &mut self.document.scene.world;
         for lamp in lamps.iter().filter(|it| it.way.is_none()) {
             let own = Rect::from_center_size(lamp.at, Vec2::splat(2.0 * RADIUS));
-            let disc = ui.interact(own, ui.id().with(&lamp.names[0]), Sense::drag());
+            let disc = ui.interact(own, ui.id().with(&lamp.names[0]), Sense::click_and_drag());
             if disc.dragged() {
                 let by = disc.drag_delta() * self.canvas.scale;
                 for name in &lamp.names {
                     drag_light(world, &view, name, by);
                 }
+            }
+            if disc.clicked() || disc.drag_started() {
+                self.desk.select::<Light>(world, "light", &lamp.names[0]);
             }
             lamp.draw(ui.painter(), self.canvas.place);
         }

@@ -1,4 +1,4 @@
-//! The marks on the picture: vertices, and what belongs to the explained pixel.
+//! The marks on the picture: vertices, the edges of the selected cuboid, and what belongs to the explained pixel.
 
 use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Vec2, vec2};
 use glam::DVec3;
@@ -9,8 +9,8 @@ use super::lights::brightest;
 use super::pictures::{side_method, sides};
 use super::widgets::{INK, tag};
 use crate::components::{
-    Camera, FACES, Lens, Light, Mesh, Name, Segments, ShadingMode, Transform, View, ViewMode,
-    active_camera, viewer,
+    Camera, FACES, FileOrder, Lens, Light, Mesh, Name, Segments, ShadingMode, Transform, View,
+    ViewMode, active_camera, viewer,
 };
 use crate::questions::probe::{Probe, ProbedSurface};
 use crate::reference::LightSample;
@@ -104,6 +104,29 @@ pub fn draw_cross(painter: &Painter, at: Pos2) {
         let line = [at + way * 3.5, at + way * CROSS];
         painter.line_segment(line, (4.0, Color32::from_black_alpha(170)));
         painter.line_segment(line, (1.5, Color32::WHITE));
+    }
+}
+
+/// Draws the edges of a cuboid, unless a corner is before the near plane.
+pub fn outline(painter: &Painter, world: &World, view: &View, canvas: &Canvas, place: usize) {
+    let lens = Lens::new(view);
+    let mut cuboids = world.query::<(&FileOrder, &Mesh, &Transform)>();
+    let is_it = |it: &(&FileOrder, &Mesh, &Transform)| it.0.0 as usize == place;
+    let Some((_, mesh, transform)) = cuboids.iter().find(is_it) else {
+        return;
+    };
+    let corners = corners_of(mesh, transform, view, &lens);
+    if corners.iter().any(|corner| corner.z <= lens.near) {
+        return;
+    }
+    let places = corners.map(|corner| canvas.place_at(lens.pixel(lens.homogeneous(corner))));
+    // Corners whose numbers differ in one bit are joined by an edge.
+    for (one, bit) in (0..8).flat_map(|corner| [1, 2, 4].map(|bit| (corner, bit))) {
+        if one & bit == 0 {
+            let line = [places[one], places[one | bit]];
+            let ink = Color32::from_white_alpha(150);
+            painter.line_segment(line, (1.5, ink));
+        }
     }
 }
 

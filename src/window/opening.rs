@@ -83,8 +83,8 @@ impl App {
         let mut pixels = self.shown().into_owned();
         let viewer = self.viewer();
         let has_labels = matches!(viewer.show, ViewMode::Error | ViewMode::Wipe);
-        // Each of two pictures that blink is another one than the map or the wipe.
-        if has_labels && self.desk.turn().is_none() {
+        // Each of two pictures that blink, and one without a part, is another one than the map or the wipe.
+        if has_labels && self.desk.turn().is_none() && self.desk.shown_without().is_none() {
             self.labels(&viewer, true, false).draw(&mut pixels);
         }
         pixels

@@ -1,6 +1,6 @@
-//! The pictures of the view: the frame, the two sides of a wipe, tinted squares.
+//! The pictures of the view: the frame, the two sides of a wipe, tinted squares; and the time of the last one.
 //!
-//! A picture that is not computed yet is
+//! A frame is timed from its first stage to the display step, and nothing else is. A picture that is not computed yet is
 //! shown as the frame dimmed, never as something else.
 
 use std::borrow::Cow;
@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use fearless_simd::Level;
 use hecs::World;
 use rayon::prelude::*;
+use web_time::Instant;
 
 use crate::components::{Light, LightKind, ShadingMode, Side, TriangleId, View, ViewMode, Viewer};
 use crate::output::memory::{self, OutOfMemory};
@@ -40,6 +41,8 @@ pub struct Pictures {
     pub sides: [Vec<u32>; 2],
     /// The picture by one kind of lights each, and by all; in quarters.
     pub terms: Vec<u32>,
+    /// The milliseconds of the last frame; `None` in a wipe that draws a side.
+    pub time: Option<f64>,
 }
 
 impl Pictures {
@@ -50,6 +53,7 @@ impl Pictures {
             levels: levels(level),
             sides: Default::default(),
             terms: Vec::new(),
+            time: None,
         }
     }
 
@@ -63,6 +67,7 @@ impl Pictures {
         viewer: &Viewer,
         view: &View,
     ) -> Result<(), OutOfMemory> {
+        self.time = None;
         if viewer.show != ViewMode::Tiles {
             self.levels = levels(self.frame.workers().level());
         }
@@ -91,7 +96,9 @@ impl Pictures {
         if viewer.show == ViewMode::Terms {
             self.terms = terms(world, view, &mut self.frame)?;
         }
+        let start = Instant::now();
         systems::draw(world, view, &mut self.frame)?;
+        self.time = Some(start.elapsed().as_secs_f64() * 1e3);
         if viewer.show == ViewMode::Tiles {
             systems::draw(world, view, &mut self.levels)?;
         }

@@ -1,5 +1,6 @@
 //! The loop of the window: it decides when to step, to show the pixels again, and to sleep.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -12,6 +13,8 @@ use super::app::App;
 use super::display::Display;
 use super::study::Runner;
 use super::unsaved::state_folder;
+use crate::output::Output;
+use crate::output::files::make_folders;
 use crate::questions::job::Drawing;
 
 /// The time between two polls while the user does something, so that short clicks are seen.
@@ -24,6 +27,9 @@ const BUSY_TIME: Duration = Duration::from_secs(1);
 /// has covered them. Less often if this would take more than one part in [`PRESENT_SHARE`] of the time.
 const PRESENT_AGAIN: Duration = Duration::from_millis(400);
 const PRESENT_SHARE: u32 = 200;
+/// The file of the factor of the letters' size, in the folder of the program's state.
+const ZOOM: &str = "zoom";
+
 /// Shows `drawing` in a window of its size until the user quits.
 ///
 /// # Errors
@@ -45,6 +51,8 @@ pub fn run(drawing: Drawing) -> anyhow::Result<()> {
 struct Session {
     display: Display,
     app: App,
+    /// The folder of the program's state.
+    folder: PathBuf,
     start: Instant,
     title: String,
     /// Width and height of the window in pixels.
@@ -60,11 +68,16 @@ impl Session {
     fn open(drawing: Drawing) -> anyhow::Result<Self> {
         let display = Display::open("shadetrade", drawing.size)?;
         let mut app = App::new(drawing, Runner::Threads)?;
-        app.document.keep_edits(&state_folder());
+        let folder = state_folder();
+        app.document.keep_edits(&folder);
         app.scale = display.scale;
+        let text = std::fs::read_to_string(folder.join(ZOOM)).unwrap_or_default();
+        let zoom = text.parse().ok().filter(|it| (0.2..=5.0).contains(it));
+        app.painter.context.set_zoom_factor(zoom.unwrap_or(1.0));
         Ok(Session {
             display,
             app,
+            folder,
             start: Instant::now(),
             title: String::new(),
             size: [0, 0],
@@ -135,7 +148,13 @@ impl Session {
             events: std::mem::take(&mut self.display.input.events),
             ..RawInput::default()
         };
+        let zoom = self.app.painter.context.zoom_factor();
         let output = self.app.step(now, self.size, input)?;
+        let chosen = self.app.painter.context.zoom_factor();
+        if chosen != zoom && make_folders(&self.folder).is_ok() {
+            // If it cannot be kept, the next start has the usual size.
+            let _ = Output::File(self.folder.join(ZOOM)).write(chosen.to_string());
+        }
         self.due = now.saturating_add(output.repaint_after);
         let title = self.app.document.title();
         if self.title != title {

@@ -7,17 +7,21 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use rayon::ThreadPool;
+use web_time::Instant;
 
 use super::facts::{Change, Facts, Latest};
 use super::work::{Question, Work, pool};
 use crate::components::{Camera, Side, View, active_camera};
 use crate::output::Monitor;
+use crate::questions::prove::Proof;
 use crate::scene::{Scene, SceneRecord};
 use crate::shading::Method;
 use crate::systems::frame::Workers;
 
 /// Progress is shown at most this often: each layout would slow the frames that are being timed.
 const PROGRESS: Duration = Duration::from_millis(200);
+/// A proof that takes longer does not follow a picture that moves. So long, too, the last one is told of then.
+pub const SLOW_PROOF: Duration = Duration::from_millis(300);
 /// The picture that questions are about.
 pub struct Subject<'a> {
     pub name: &'a str,
@@ -52,6 +56,10 @@ pub struct Study {
     /// For [`Runner::Threads`].
     pool: Option<ThreadPool>,
     pub work: Option<Work>,
+    /// When the last proof ended.
+    proven: Option<Instant>,
+    /// Whether that, or one given up since, took longer than [`SLOW_PROOF`].
+    is_slow: bool,
     next_progress: Duration,
     /// The reason why a question has no answer, until it is taken.
     failure: Option<String>,
@@ -67,6 +75,8 @@ impl Study {
             runner,
             pool: has_threads.then(pool).transpose()?,
             work: None,
+            proven: None,
+            is_slow: false,
             next_progress: Duration::ZERO,
             failure: None,
         })
@@ -76,6 +86,7 @@ impl Study {
     pub fn clear(&mut self) {
         self.facts = Facts::default();
         self.work = None;
+        self.is_slow = false;
     }
 
     /// Whether questions are answered between steps.
@@ -83,16 +94,35 @@ impl Study {
         self.runner != Runner::AtOnce
     }
 
-    /// Outdates the facts that a change touches, and stops the work on them.
+    /// Whether pictures are proven while they move.
+    pub fn follows(&self) -> bool {
+        self.pool.is_some() && !self.is_slow
+    }
+
+    /// The last proof, for a short time; it may be one of an earlier picture.
+    pub fn last_proof(&self) -> Option<&Proof> {
+        let is_recent = self.proven.is_some_and(|it| it.elapsed() < SLOW_PROOF);
+        let (_, proof) = self.facts.proof.value.as_ref()?;
+        is_recent.then_some(proof)
+    }
+
+    /// Outdates the facts that a change touches, and stops the work on them; a proof goes on if it is quick.
     pub fn outdate(&mut self, change: Change) {
-        if change != Change::Nothing {
-            self.work = None;
-            self.facts.outdate(change);
+        if change == Change::Nothing {
+            return;
         }
+        let proof = self.work.take_if(|it| it.question == Question::Prove);
+        let is_slow = |it: &Work| it.begun.elapsed() > SLOW_PROOF;
+        self.is_slow |= proof.as_ref().is_some_and(is_slow);
+        self.work = proof.filter(|_| self.follows());
+        if let Some(work) = &mut self.work {
+            work.is_late = true;
+        }
+        self.facts.outdate(change);
     }
 
     /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
-    /// answered. While things move a pixel alone is probed, which takes little time.
+    /// answered. Even while things move a pixel is probed, which takes little time, and the picture is proven, if that follows.
     pub(super) fn start_if_due<T: Send + 'static>(
         &mut self,
         subject: &Subject,
@@ -102,7 +132,11 @@ impl Study {
     ) {
         let is_unknown = question.grows() || !fact(&mut self.facts).is_current;
         let outranks = (self.work.as_ref()).is_none_or(|work| question < work.question);
-        let may_run_now = question == Question::Probe || !self.is_live() || subject.rests;
+        let may_run_now = match question {
+            Question::Probe => true,
+            Question::Prove if self.follows() => true,
+            _ => !self.is_live() || subject.rests,
+        };
         if !is_unknown || !outranks || !may_run_now {
             return;
         }
@@ -139,6 +173,11 @@ impl Study {
             return false;
         };
         self.failure = answer(&mut self.facts).or(self.failure.take());
+        if let Some(work) = self.work.take_if(|it| it.question == Question::Prove) {
+            self.facts.proof.is_current &= !work.is_late;
+            self.is_slow = work.begun.elapsed() > SLOW_PROOF;
+            self.proven = Some(Instant::now());
+        }
         self.work = None;
         true
     }

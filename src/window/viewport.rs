@@ -12,7 +12,7 @@ use super::document::Document;
 use super::inspector::Tab;
 use super::labels::Labels;
 use super::lights::{arrows, lamps};
-use super::marks::{draw_arrows, draw_line, mark_triangle, mark_vertices};
+use super::marks::{draw_arrows, draw_line, mark_triangle, mark_vertices, outline};
 use super::unsaved::edits_bar;
 use super::widgets::{BAD, bar, tag};
 use crate::components::{View, ViewMode, Viewer, viewer, viewer_mut};
@@ -64,6 +64,7 @@ impl App {
         self.discs(ui, &shown);
         // The terms are four pictures of half the size.
         if let Some(at) = click.filter(|_| show != ViewMode::Terms) {
+            self.desk.has_clicked = true;
             self.probe(self.canvas.pixel_at(at));
         }
         if !is_alone {
@@ -94,11 +95,17 @@ impl App {
         }
     }
 
-    /// Draws the vertices, and what belongs to the explained pixel.
+    /// Draws the vertices, the outline of the selected cuboid, and what belongs to the explained pixel.
     fn draw_marks(&self, ui: &Ui) {
-        let (world, canvas) = (&self.document.scene.world, &self.canvas);
-        let (painter, view) = (ui.painter(), self.view());
+        let (world, canvas, desk) = (&self.document.scene.world, &self.canvas, &self.desk);
+        let (painter, view, show) = (ui.painter(), self.view(), self.viewer().show);
         mark_vertices(painter, world, &view, canvas, self.method());
+        if desk.is_open(Tab::Scene)
+            && show != ViewMode::Terms
+            && let ("cuboid", place) = desk.selected.unwrap_or(("cuboid", 0))
+        {
+            outline(painter, world, &view, canvas, place);
+        }
         let is_known = self.study.facts.section.is_current;
         if let Some(probe) = self.probed().filter(|_| is_known)
             && let Some(surface) = &probe.surface

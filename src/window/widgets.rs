@@ -26,16 +26,19 @@ pub const BAD: Color32 = Color32::from_rgb(0xff, 0x6b, 0x5a);
 pub const FLAT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 pub const GOURAUD: Color32 = Color32::from_rgb(0xff, 0xb4, 0x54);
 pub const PHONG: Color32 = Color32::from_rgb(0x34, 0xd3, 0x99);
-/// The curve of the interpolated unit vectors.
+/// The dots of the interpolated unit vectors.
 const SHORTCUT: Color32 = Color32::from_rgb(0xcc, 0x79, 0xa7);
+/// The dot of Blinn-Phong.
+const BLINN: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
 
-/// The colour of a method's dot and curve.
+/// The colour of a method's dot.
 pub fn mode_ink(mode: ShadingMode) -> Color32 {
     match mode {
         ShadingMode::Flat => FLAT,
         ShadingMode::Gouraud => GOURAUD,
         ShadingMode::Phong => PHONG,
-        ShadingMode::UnitVectors | ShadingMode::BlinnPhong => SHORTCUT,
+        ShadingMode::UnitVectors => SHORTCUT,
+        ShadingMode::BlinnPhong => BLINN,
     }
 }
 

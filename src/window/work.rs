@@ -23,10 +23,13 @@ pub enum Question {
     Compare,
     /// It is asked while its tab is open.
     Vary,
+    /// A part was clicked.
+    LeaveOut,
     /// The timing of all methods, which takes less time than a proof.
     Measure,
     Prove,
     Require,
+    CountSegments,
     /// The timing again, for longer.
     MeasureLonger,
 }
@@ -34,8 +37,8 @@ pub enum Question {
 impl Question {
     /// Whether what is known grows with each answer. The question is open until all is known.
     pub fn grows(self) -> bool {
-        use Question::{Compare, Measure, MeasureLonger, Vary};
-        matches!(self, Compare | Measure | MeasureLonger | Vary)
+        use Question::{Compare, Measure, MeasureLonger, Require, Vary};
+        matches!(self, Compare | Measure | MeasureLonger | Require | Vary)
     }
 }
 
@@ -54,6 +57,9 @@ type Answer = Box<dyn FnOnce(&mut Facts) -> Option<String> + Send>;
 /// The work on a question. It is cancelled when it is dropped, and ends within a row of the picture or a frame.
 pub struct Work {
     pub question: Question,
+    pub begun: Instant,
+    /// Whether the picture has changed since.
+    pub is_late: bool,
     pub answer: Receiver<Answer>,
     /// The present step, and the share of it that is done, 0..=1.
     progress: Arc<Mutex<(&'static str, f64)>>,
@@ -110,6 +116,8 @@ impl Work {
         }
         Work {
             question,
+            begun: Instant::now(),
+            is_late: false,
             answer: receiver,
             progress,
             rest,

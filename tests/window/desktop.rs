@@ -228,6 +228,12 @@ impl Program {
         let status = self.ended();
         assert!(status.success(), "{status}");
     }
+
+    /// The folder, which a later start takes over.
+    pub fn take_folder(&mut self) -> TempDir {
+        let other = tempfile::tempdir().expect("a temporary folder");
+        std::mem::replace(&mut self.folder, other)
+    }
 }
 
 impl Drop for Program {

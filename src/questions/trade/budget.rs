@@ -3,6 +3,7 @@
 //! ```text
 //! costs of the front, fastest first    0.2  0.31  0.36  0.41  1.0       the budget: 0.4 ms
 //! at rest                                           *                    the last that fits
+//! after a frame of 0.45 ms                   *                           the last that is predicted to fit
 //! ```
 //! The choice is a function of numbers; clocks are read elsewhere.
 
@@ -30,6 +31,16 @@ pub fn best_trades(measured: &[Measurement]) -> (Vec<Method>, Vec<f64>) {
 /// The index of the most exact method that fits, or of the fastest if none fits.
 pub fn fitting(costs: &[f64], budget: f64) -> usize {
     costs.iter().rposition(|cost| *cost <= budget).unwrap_or(0)
+}
+
+/// The index after a frame of `last` milliseconds: over the budget, the most exact of the faster methods that is predicted to
+/// fit. The costs may be those of an earlier view; only their ratios count.
+pub fn after(place: usize, last: f64, costs: &[f64], budget: f64) -> usize {
+    if last <= budget || place == 0 {
+        return place;
+    }
+    let cost = costs.get(place).unwrap_or(&0.0);
+    fitting(costs, budget * cost / last).min(place - 1)
 }
 
 /// The method that holds a budget, and its time and error in words. `None` if nothing is drawn.

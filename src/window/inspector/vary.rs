@@ -7,7 +7,7 @@ use egui_plot::{GridInput, HLine, Line, LineStyle, VLine};
 use hecs::World;
 
 use super::Tab;
-use super::scene::ANY;
+use super::row::ANY;
 use crate::components::{Mesh, names};
 use crate::output::words::capital;
 use crate::questions::job::camera_name;
@@ -99,6 +99,12 @@ fn common_keys(world: &World) -> Vec<(&'static str, Key)> {
 /// A curve with its method; `None` is the textbook's formula.
 type MethodCurve = (Option<Method>, Curve);
 
+/// A change that the tab makes.
+enum Change {
+    Value(f64),
+    Ends([f64; 2]),
+}
+
 /// Lays out the tab. It writes the number.
 pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study, desk: &mut Desk) {
     let common = common_keys(&document.scene.world);
@@ -119,21 +125,29 @@ pub fn tab(ui: &mut Ui, document: &mut Document, canvas: &Canvas, study: &Study,
     let name = common.iter().find(|it| it.1 == *key);
     let title = name.map_or_else(|| key.to_string(), |(name, _)| format!("{name}: {key}"));
     ui.strong(title);
-    let Some(value) = change(ui, varied, study) else {
-        return;
+    let done = match change(ui, varied, study) {
+        Some(Change::Value(value)) => {
+            // With the changes of this layout.
+            let scene = SceneRecord::of(&document.scene.world);
+            let record = varied.variable.scene(&scene, value);
+            record.map(|record| document.restore(&record))
+        }
+        Some(Change::Ends(ends)) => {
+            let variable = Variable::new(varied.variable.key.clone(), ends, &document.state);
+            variable.map(|variable| desk.varied = Some(Varied::of(variable)))
+        }
+        None => Ok(()),
     };
-    // With the changes of this layout.
-    let scene = SceneRecord::of(&document.scene.world);
-    match varied.variable.scene(&scene, value) {
-        Ok(record) => document.restore(&record),
-        // A drag passes numbers that are not legal.
-        Err(_) if ui.ctx().dragged_id().is_some() => {}
-        Err(error) => desk.say(format!("{error:#}")),
+    // A drag passes numbers that are not legal.
+    if let Err(error) = done
+        && ui.ctx().dragged_id().is_none()
+    {
+        desk.say(format!("{error:#}"));
     }
 }
 
-/// Lays out the number, the curves, and the ranges in which methods keep the limit. Returns the number if it is changed.
-fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<f64> {
+/// Lays out the number, the curves, and the ranges in which methods keep the limit.
+fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let variable = &varied.variable;
     ui.weak(variable.key.comment().unwrap_or_default());
     let (value, wanted) = match &varied.wanted {
@@ -150,12 +164,20 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<f64> {
     let pictures =
         format!("error in pictures of {width}x{height}, at a lattice of up to {PIXELS} pixels");
     ui.small(pictures);
-    let dragged = plot(ui, variable, wanted.limit, &curves, value);
-    let mut now = value;
+    let mut change = plot(ui, variable, wanted.limit, &curves, value).map(Change::Value);
+    let mut numbers = [variable.from, value, variable.to];
     ui.horizontal(|ui| {
-        ui.weak("now");
-        number(ui, &mut now, ANY);
+        for (name, number_of) in ["from", "now", "to"].into_iter().zip(&mut numbers) {
+            ui.weak(name);
+            number(ui, number_of, ANY);
+        }
     });
+    let [from, now, to] = numbers;
+    if [from, to] != [variable.from, variable.to] {
+        change = Some(Change::Ends([from, to]));
+    } else if now != value {
+        change = Some(Change::Value(now));
+    }
     wait(ui, study, known.is_some_and(|it| it.is_all));
     for (method, curve) in &curves {
         ui.horizontal_wrapped(|ui| {
@@ -170,7 +192,7 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<f64> {
     }
     ui.separator();
     ui.weak(ABOUT);
-    dragged.or((now != value).then_some(now))
+    change
 }
 
 fn ink(method: Option<Method>) -> Color32 {

@@ -3,13 +3,14 @@
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::trade::Request;
-use shadetrade::questions::trade::budget::{best_trades, choose, fitting, held};
+use shadetrade::questions::trade::budget::{after, best_trades, choose, fitting, held};
 
 use super::example::live;
 use crate::support::prelude::*;
 
 /// Milliseconds of a front, the fastest first.
 const COSTS: [f64; 6] = [0.2, 0.31, 0.36, 0.41, 0.5, 1.0];
+const BUDGET: f64 = 0.45;
 
 #[test]
 fn at_rest_the_most_exact_method_that_fits_is_chosen() {
@@ -17,6 +18,25 @@ fn at_rest_the_most_exact_method_that_fits_is_chosen() {
         assert_eq!(fitting(&COSTS, budget), place, "{budget} ms");
     }
     assert_eq!(fitting(&[], 1.0), 0);
+}
+
+#[test]
+fn a_frame_over_the_budget_is_followed_by_one_that_fits_where_any_does() {
+    for place in 0..COSTS.len() {
+        for load in [0.3, 0.8, 1.2, 1.6, 2.0, 5.0] {
+            let last = COSTS[place] * load;
+            let next = after(place, last, &COSTS, BUDGET);
+            let is_kept = |place: usize| COSTS[place] * load <= BUDGET;
+            assert_eq!(next == place, is_kept(place) || place == 0);
+            assert!(is_kept(next) || next == 0, "{place}, load {load}: {next}");
+            // The most exact of those.
+            let is_less_exact = (next + 1..place).any(is_kept);
+            assert!(!is_less_exact, "{place}, load {load}: {next}");
+        }
+        assert_eq!(after(place, BUDGET, &COSTS, BUDGET), place);
+        let next = after(place, BUDGET.next_up(), &COSTS, BUDGET);
+        assert!(next < place || place == 0, "{place}: {next}");
+    }
 }
 
 #[test]

@@ -8,18 +8,20 @@ use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use shadetrade::components::{ShadingMode, Side, View, common};
 use shadetrade::output::Monitor;
-use shadetrade::systems::frame::Workers;
+use shadetrade::questions::requires::without;
+use shadetrade::systems::frame::{Keep, Workers};
 use shadetrade::window::app::App;
 use shadetrade::window::canvas::REST;
 use shadetrade::window::desk::{Desk, reading_time};
 use shadetrade::window::facts::Change;
 use shadetrade::window::inspector::Tab;
-use shadetrade::window::study::{Runner, Study, Subject};
+use shadetrade::window::study::{Runner, SLOW_PROOF, Study, Subject};
 use shadetrade::window::work::{Question, Work, pool};
 
 use super::files::on_file;
-use super::{PAUSE, Window, changed, default_record, press};
+use super::{PAUSE, Window, changed, choose, default_record, press};
 use crate::support::records;
+use crate::support::scene::draw;
 use crate::support::window::{default_scene, widgets};
 
 /// A size so small that everything is computed at once.
@@ -58,20 +60,71 @@ fn the_part_that_matters_most_comes_first() {
     let mut window = Window::of(default_scene(), SMALL);
     window.press(Key::P);
     window.press(Key::N);
+    // A few more rows come with each step.
+    let known = |window: &Window| {
+        let found = window.app.study.facts.required.current();
+        found.cloned().expect("an answer")
+    };
+    let mut rows = Vec::new();
+    while !known(&window).is_all {
+        rows.push(known(&window).rows.len());
+        window.step(Vec::new());
+    }
+    assert!(rows.len() > 1 && rows.is_sorted(), "{rows:?}");
     window.step(Vec::new());
-    let required = window.app.study.facts.required.current();
-    let parts = required.cloned().expect("an answer");
+    let parts = known(&window).rows;
     let left_out = parts.iter().filter(|it| it.change.keeps(0.5)).count();
+    let segments = window.app.study.facts.segments.current();
+    let count = segments.expect("an answer")[0].count();
     let harness = widgets(window.app, [1400, 1400]);
     let [red, depth] = ["light red", "depth test"].map(|name| {
         let part = parts.iter().find(|it| it.name == name);
-        // A text is a node in a node.
-        let row = harness.query_all_by_value(name).next();
-        let row = row.expect("a row").rect().min.y;
+        let row = harness.get_by_label(name).rect().min.y;
         (part.expect("a part").change.most(), row)
     });
     assert!(red.0 > depth.0 && red.1 < depth.1, "{red:?}, {depth:?}");
+    // A text is a node in a node.
+    let sentence = format!("emerald: Gouraud needs {count} segments.");
+    assert!(harness.query_all_by_value(&sentence).count() > 0);
     assert_eq!(harness.query_all_by_value("no").count(), 2 * left_out);
+}
+
+#[test]
+fn a_click_on_a_part_shows_the_picture_without_it_and_another_the_picture() {
+    let click = |window: &mut Window, name: &str| {
+        // Every row is in sight.
+        window.with_widgets([1300, 1000], |it| choose(it, name));
+        window.step(Vec::new());
+    };
+    let mut window = Window::of(default_scene(), [1300, 120]);
+    window.press(Key::P);
+    window.press(Key::N);
+    let is_all = |window: &Window| {
+        let required = window.app.study.facts.required.current();
+        required.is_some_and(|it| it.is_all)
+    };
+    while !is_all(&window) {
+        window.step(Vec::new());
+    }
+    let picture = window.app.shown().into_owned();
+    for name in ["light red", "light white"] {
+        click(&mut window, name);
+        let left_out = window.app.study.facts.left_out.current();
+        let (part, pixels) = left_out.expect("an answer");
+        let mut world = without(&window.app.document.scene, &[*part]).world;
+        let frame = draw(&mut world, &window.app.view(), Keep::Display);
+        let differs = |(one, other): &(&u32, &u32)| {
+            let channels = one.to_be_bytes().into_iter().zip(other.to_be_bytes());
+            channels.map(|(one, other)| one.abs_diff(other)).max() > Some(1)
+        };
+        let different = pixels.iter().zip(frame.pixels()).filter(differs).count();
+        // On an edge two faces are as near.
+        assert!(different < 20, "{name}: {different}");
+        assert_eq!(*window.app.shown(), pixels[..]);
+        assert_ne!(picture, *pixels, "{name}");
+        click(&mut window, name);
+        assert_eq!(*window.app.shown(), picture[..]);
+    }
 }
 
 #[test]
@@ -142,7 +195,10 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     for is_probed in [false, true] {
         let mut study = live();
         ask(&mut study, is_probed, false, &desk);
-        assert_eq!(study.work.is_some(), is_probed, "things move");
+        let is_proof = study
+            .work
+            .is_some_and(|work| work.question == Question::Prove);
+        assert_eq!(is_proof, !is_probed, "things move");
     }
     for (is_probed, change, goes_on) in [
         (true, Change::Method, false),
@@ -160,6 +216,33 @@ fn work_stops_when_the_picture_changes_and_for_a_question_of_more_worth() {
     ask(&mut study, true, true, &desk);
     study.outdate(Change::Method);
     assert!(!works(study), "the pixel stopped the proof");
+}
+
+#[test]
+fn a_proof_goes_on_while_things_move_unless_it_is_slow() {
+    let begin = || {
+        let mut study = live();
+        ask(&mut study, false, false, &Desk::default());
+        study
+    };
+    let mut study = begin();
+    study.outdate(Change::Scene);
+    while study.last_proof().is_none() {
+        std::thread::yield_now();
+        study.receive(Duration::ZERO);
+    }
+    let proof = study.facts.proof.current();
+    assert!(proof.is_none(), "that of the picture before");
+    ask(&mut study, false, true, &Desk::default());
+    let question = study.work.as_ref().map(|work| work.question);
+    assert_eq!(question, Some(Question::Compare), "once nothing moves");
+
+    let mut study = begin();
+    let work = study.work.as_mut().expect("a proof");
+    work.begun -= 2 * SLOW_PROOF;
+    study.outdate(Change::Scene);
+    ask(&mut study, false, false, &Desk::default());
+    assert!(study.work.is_none(), "it is given up");
 }
 
 #[test]

@@ -345,6 +345,20 @@ fn a_saved_wipe_has_its_line_and_the_names_of_its_sides() {
 }
 
 #[test]
+fn q_asks_once_where_edits_are_not_saved() {
+    let mut window = Window::open();
+    window.press(Key::W);
+    window.press(Key::Q);
+    assert!(window.app.desk.quits, "a switched light is no edit");
+    window.app.desk.quits = false;
+    change(&mut window, 11.0);
+    window.press(Key::Q);
+    assert!(!window.app.desk.quits && window.message().contains("Ctrl S"));
+    window.press(Key::Q);
+    assert!(window.app.desk.quits);
+}
+
+#[test]
 fn screenshots_are_the_pixels_that_are_shown() {
     let mut window = Window::open();
     let shown = window.app.pixels.clone();

@@ -74,6 +74,29 @@ fn a_click_hits_the_pixel_under_the_mouse_at_every_size_of_text_and_scale_of_the
 }
 
 #[test]
+fn a_click_selects_in_the_scenes_tab() {
+    let mut window = with_light_at(2.0);
+    window.press(Key::E);
+    window.step(Vec::new());
+    window.click(place_of(&window, "near"));
+    let selected = |window: &Window| window.app.desk.selected;
+    assert_eq!(selected(&window), Some(("light", 4)));
+    window.click(window.app.canvas.place.center());
+    assert_eq!(selected(&window), Some(("cuboid", 0)));
+    assert!(window.app.desk.is_open(Tab::Scene));
+    // A pixel of the same row, which is probed already.
+    window.click(place_of(&window, "near"));
+    window.click(window.app.canvas.place.center() + vec2(8.0, 0.0));
+    window.step(Vec::new());
+    assert_eq!(selected(&window), Some(("cuboid", 0)));
+    // The pixel is probed again after a change; what is selected stays.
+    window.click(place_of(&window, "near"));
+    window.press(Key::G);
+    window.step(Vec::new());
+    assert_eq!(selected(&window), Some(("light", 4)));
+}
+
+#[test]
 fn a_drag_turns_the_camera_equally_far_in_one_step_or_many() {
     let mut turned = Vec::new();
     for steps in [1, 10] {

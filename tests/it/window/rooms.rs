@@ -105,6 +105,18 @@ fn a_canvas_finds_its_pixels_at_their_places() {
 }
 
 #[test]
+fn a_canvas_tells_the_time_of_a_frame_when_the_next_is_to_be_drawn() {
+    let [state, other] = [(); 2].map(|()| record_after(|_| ()));
+    let view = View::of(&state.spawn(), VIEW);
+    let mut canvas = Canvas::new(Workers::alone(Level::new()));
+    assert_eq!(canvas.last_frame(&state), None);
+    canvas.drawn = Some((Arc::clone(&state), view));
+    canvas.pictures.time = Some(5.0);
+    assert_eq!(canvas.last_frame(&other), Some(5.0));
+    assert_eq!(canvas.last_frame(&state), None, "nothing is to be drawn");
+}
+
+#[test]
 fn a_canvas_draws_a_view_of_another_size_and_rests_after_a_pause() {
     let state = record_after(|_| ());
     let mut world = state.spawn();

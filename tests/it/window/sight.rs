@@ -1,14 +1,15 @@
-//! Everything in sight: the key for it, and the terms of the model.
+//! Everything in sight: the key for it, what is added, the outline of what is selected, and the terms of the model.
 
 use egui::{Key, Modifiers};
 use glam::DVec3;
 use shadetrade::components::{LightKind, Orbit, ShadingMode, View, ViewMode};
-use shadetrade::scene::LightRecord;
 use shadetrade::scene::unseen::shows_all;
+use shadetrade::scene::{LightRecord, SceneRecord};
 use shadetrade::systems::frame::Keep;
+use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::QUARTERS;
 
-use super::{SIZE, Window, changed, default_record};
+use super::{SIZE, Window, changed, choose, default_record, widgets_of};
 use crate::support::scene::draw;
 use crate::support::window::default_scene;
 
@@ -109,6 +110,26 @@ fn home_steps_back_until_all_is_in_sight_and_no_further() {
     window.press(Key::Home);
     assert!(shows(&window));
     assert_eq!(window.record().camera[0].orbit, Orbit::default());
+}
+
+#[test]
+fn what_is_added_is_in_sight() {
+    // The picture is not narrow, so its camera alone shows it.
+    let mut harness = widgets_of([1900, 600]);
+    harness.state_mut().desk.tabs = vec![Tab::Scene];
+    harness.run_ok();
+    choose(&mut harness, "copy");
+    let app = harness.state();
+    let world = &app.document.scene.world;
+    let record = SceneRecord::of(world);
+    assert_eq!(record.cuboid.len(), 2);
+    assert_eq!(app.desk.selected, Some(("cuboid", 1)));
+    assert!(shows_all(world, &View::of(world, app.canvas.size())));
+    // Beside each other, not within each other.
+    let [one, other] = [&record.cuboid[0], &record.cuboid[1]];
+    let apart = (other.position - one.position).x;
+    let least = (one.size + other.size).x / 2.0;
+    assert!(apart >= least, "{apart}");
 }
 
 #[test]

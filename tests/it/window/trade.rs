@@ -11,10 +11,11 @@ use shadetrade::output::Monitor;
 use shadetrade::questions::job::Drawing;
 use shadetrade::questions::metrics::ErrorStatistics;
 use shadetrade::questions::prove::prove;
-use shadetrade::questions::requires::{part_changes, ranked};
+use shadetrade::questions::requires::part_changes;
+use shadetrade::questions::requires::segments::fewest_segments;
 use shadetrade::questions::trade::timing::MIN_SAMPLES;
 use shadetrade::questions::trade::verdict::method_name;
-use shadetrade::questions::trade::{LeftOut, Measured, Measurement, is_timed};
+use shadetrade::questions::trade::{LeftOut, Measured, Measurement};
 use shadetrade::scene::Scene;
 use shadetrade::shading::{Method, methods};
 use shadetrade::window::app::App;
@@ -88,24 +89,27 @@ fn open() -> Window {
     Window::with(app_with_trade(SIZE), SIZE)
 }
 
-/// The methods of [`plain`] that are timed, each with the position of its dot.
-fn dots() -> Vec<(Method, Pos2)> {
+/// The positions of the dots in the window, in the order of [`plain`].
+fn dots() -> Vec<Pos2> {
     let harness = widgets(app_with_trade(SIZE), SIZE);
-    let dot = |method: Method| {
-        let label = format!("choose {}", method_name(method));
-        (method, places(&harness, &label)[0])
+    let dot = |method: &Method| {
+        let label = format!("choose {}", method_name(*method));
+        places(&harness, &label)[0]
     };
-    let timed = plain().into_iter().filter(|it| is_timed(*it));
-    timed.map(dot).collect()
+    plain().iter().map(dot).collect()
 }
 
 #[test]
 fn dots_lie_by_time_and_error() {
-    let (dots, mut measured) = (dots(), measured());
-    measured.retain(|it| is_timed(it.method));
-    for (one, (_, at)) in measured.iter().zip(&dots) {
-        for (other, (_, there)) in measured.iter().zip(&dots) {
-            let is_faster = one.timing.median < other.timing.median;
+    let (dots, measured) = (dots(), measured());
+    for (one, at) in measured.iter().zip(&dots) {
+        for (other, there) in measured.iter().zip(&dots) {
+            // What is not timed lies right of all others.
+            let time = |it: &Measurement| {
+                let is_timed = it.method.mode.is_drawn();
+                if is_timed { it.timing.median } else { 100.0 }
+            };
+            let is_faster = time(one) < time(other);
             assert!(!is_faster || at.x < there.x, "{one:?}, {other:?}");
             let errs_more = one.largest_error() > other.largest_error();
             assert!(!errs_more || at.y < there.y, "{one:?}, {other:?}");
@@ -116,9 +120,16 @@ fn dots_lie_by_time_and_error() {
 #[test]
 fn a_click_on_a_dot_chooses_its_method() {
     let mut window = open();
-    for (method, at) in dots() {
+    for (method, at) in plain().iter().zip(dots()) {
         window.click(at);
-        assert_eq!(window.app.method(), Some(method));
+        if method.mode.is_drawn() {
+            assert_eq!(window.app.method(), Some(*method));
+        } else {
+            let viewer = window.app.viewer();
+            assert_eq!(viewer.show, ViewMode::Wipe);
+            let side = Side::from(*method);
+            assert!(viewer.sides.contains(&side), "no scene asks for it");
+        }
     }
 }
 
@@ -211,15 +222,20 @@ fn a_budget_chooses_the_method_and_the_scene_stays_as_it_is() {
 }
 
 #[test]
-fn a_budget_is_held_by_the_last_measurement_and_else_the_tolerance() {
+fn frames_over_the_budget_are_drawn_by_a_faster_method_and_what_was_recorded_is_not() {
     let mut window = open();
     set_budget(&mut window, 0.6);
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
-    // Those of an earlier view are the best that is known while things move.
+    // Measurements of another view say nothing about this one, and nothing moves.
     window.app.study.facts.trade.is_current = false;
     window.step(Vec::new());
     assert_eq!(window.app.method(), Some(Method::of(Phong, 0.25)));
+    // No frame of this picture takes so little time.
+    set_budget(&mut window, 0.0011);
+    window.key(Key::ArrowLeft, true);
+    assert_eq!(window.app.method(), Some(Method::of(Flat, 0.0)));
+    assert_eq!(window.record().view.budget, Some(0.0011));
     // Where nothing is measured, the tolerance is drawn.
     let mut other = Window::of(Scene::spawn("other".to_owned(), &window.record()), SIZE);
     other.press(Key::ArrowLeft);
@@ -271,7 +287,7 @@ fn questions_are_answered_row_by_row_without_threads() {
     let steps = Cell::new(0);
     run(&mut app, |app| {
         steps.set(steps.get() + 1);
-        app.study.facts.required.is_current
+        app.study.facts.segments.is_current
     });
     let facts = &app.study.facts;
     let mut scene = app.document.scene.snapshot();
@@ -285,7 +301,10 @@ fn questions_are_answered_row_by_row_without_threads() {
     let found = facts.proof.current().map(|it| &it.1);
     assert_eq!(found, Some(&done(proof)));
     let found = facts.required.current().expect("an answer");
-    assert_eq!(*found, ranked(done(part_changes(&scene, &view, none))));
+    assert!(found.is_all);
+    assert_eq!(found.rows, done(part_changes(&scene, &view, none)));
+    let segments = done(fewest_segments(&scene, &view, none));
+    assert_eq!(facts.segments.current(), Some(&segments));
     let samples = facts.trade.current().expect("an answer").methods.iter();
     let timed = samples.filter(|it| it.method.mode.is_drawn());
     let mut samples = timed.map(|it| it.timing.samples);
@@ -301,8 +320,7 @@ fn every_method_and_the_one_on_screen_is_measured_in_the_background() {
     run(&mut app, |app| app.study.facts.proof.current().is_some());
     let measured = app.study.facts.trade.current().expect("an answer");
     let found: Vec<Method> = measured.methods.iter().map(|it| it.method).collect();
-    let all = methods(Some(Segments::default()));
-    let known: Vec<Method> = all.filter(|it| is_timed(*it)).collect();
+    let known: Vec<Method> = methods(Some(Segments::default())).collect();
     assert_eq!(found, known);
     let [shown, beside] = [0.7, 0.3].map(|tolerance| Method::of(Phong, tolerance));
     let world = &mut app.document.scene.world;

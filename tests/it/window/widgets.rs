@@ -5,7 +5,8 @@ use egui::{Key, Modifiers, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use fearless_simd::Level;
-use shadetrade::components::{Projection, Viewer};
+use glam::DVec3;
+use shadetrade::components::{Light, Projection, Viewer, names};
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
 use shadetrade::window::desk::Desk;
@@ -141,7 +142,7 @@ fn every_button_does_what_its_key_does() {
 #[test]
 fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
     type Change = fn(&mut Harness<'static, App>);
-    let changes: [(&str, Change); 8] = [
+    let changes: [(&str, Change); 10] = [
         ("a check box", |it| click(it, "red")),
         ("a button", |it| click(it, "Phong")),
         ("a camera", |it| click(it, "next camera")),
@@ -149,6 +150,8 @@ fn a_change_by_each_kind_of_widget_is_noted_and_undone() {
         ("a number of the editor", |it| enter(it, "size", 1, "7.25")),
         ("a word of the editor", |it| click_inside(it, "face")),
         ("the background", |it| enter(it, "background", 1, "7")),
+        ("a copy", |it| click(it, "copy")),
+        ("a new light", |it| click(it, "new light")),
         ("a drag of the picture", |it| {
             let middle = it.state().canvas.place.center();
             drag(it, &[middle, middle + vec2(60.0, 30.0)]);
@@ -186,6 +189,77 @@ fn the_tolerance_is_typed_and_dragged() {
         let path = [0.1, 0.4, 1.0].map(|share| from + vec2(share * right, 0.0));
         drag(&mut harness, &[&[from], &path[..]].concat());
         assert_eq!(harness.state().viewer().tolerance, end);
+    }
+}
+
+#[test]
+fn entities_are_copied_renamed_and_deleted() {
+    let mut harness = open();
+    press(&mut harness, Key::E);
+    let start = record(&harness);
+    let counts = |harness: &Harness<App>| {
+        let now = record(harness);
+        now.check().expect("a legal scene");
+        [now.cuboid.len(), now.light.len(), now.camera.len()]
+    };
+    for (index, kind) in ["cuboid", "light", "camera"].into_iter().enumerate() {
+        let mut expected = counts(&harness);
+        harness.state_mut().desk.selected = Some((kind, 0));
+        harness.run_ok();
+        for (label, change) in [("copy", 1), ("copy", 1), ("delete", -1)] {
+            click(&mut harness, label);
+            expected[index] = expected[index].saturating_add_signed(change);
+            assert_eq!(counts(&harness), expected, "{kind}");
+        }
+        let now = record(&harness);
+        let lights = &now.light;
+        assert_ne!(lights[0].position, lights[lights.len() - 1].position);
+        // The neighbour of the deleted one is selected.
+        let copied = expected[index] - 1;
+        assert_eq!(harness.state().desk.selected, Some((kind, copied)));
+        click(&mut harness, "delete");
+        // The camera stepped back to show the copies.
+        let mut now = record(&harness);
+        now.camera[0].orbit = start.camera[0].orbit;
+        assert_eq!(now, start, "{kind}");
+    }
+    // The view forgets a deleted camera.
+    harness.key_press(Key::C);
+    harness.state_mut().desk.selected = Some(("camera", 1));
+    harness.run_ok();
+    assert_eq!(record(&harness).view.camera.as_deref(), Some("2"));
+    click(&mut harness, "delete");
+    assert_eq!(record(&harness).view, start.view);
+    // A scene may have no light, and gets one.
+    for lights in [3, 2, 1, 0, 1] {
+        let is_fewer = lights < counts(&harness)[1];
+        harness.state_mut().desk.selected = Some(("light", 0));
+        click(&mut harness, ["new light", "delete"][usize::from(is_fewer)]);
+        assert_eq!(counts(&harness)[1], lights);
+    }
+    harness.state_mut().document.restore(&start);
+    // The last cuboid cannot be deleted.
+    harness.state_mut().desk.selected = Some(("cuboid", 0));
+    harness.run_ok();
+    click(&mut harness, "delete");
+    assert_eq!(record(&harness), start);
+    // A duplicate name, or a name that a list of lights cannot hold, is refused.
+    for (name, is_taken) in [("blue", true), ("red", false), ("", false), ("a,b", false)] {
+        let before = names::<Light>(&harness.state().document.scene.world);
+        harness.state_mut().desk.selected = Some(("light", 0));
+        harness.run_ok();
+        let field = harness.get_by_role(Role::TextInput).rect().center();
+        click_at(&mut harness, field);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.run_ok();
+        match name {
+            "" => harness.key_press(Key::Backspace),
+            _ => harness.event(egui::Event::Text(name.to_owned())),
+        }
+        press(&mut harness, Key::Enter);
+        let after = names::<Light>(&harness.state().document.scene.world);
+        assert_eq!(after[0] == name, is_taken, "{name:?}: {after:?}");
+        assert_eq!(after[1..], before[1..]);
     }
 }
 
@@ -240,6 +314,11 @@ pub fn numbers_are_typed_within_their_range() {
     choose(&mut harness, "light white");
     enter(&mut harness, "gain", 0, "40.5");
     assert_eq!(record(&harness).light[0].gain, 40.5);
+    // A light that is not ambient any more is somewhere.
+    harness.state_mut().desk.selected = Some(("light", 3));
+    harness.run_ok();
+    click_inside(&mut harness, "diffuse");
+    assert_eq!(record(&harness).light[3].position, Some(DVec3::ZERO));
 }
 
 #[test]
