@@ -30,8 +30,8 @@ pub(super) fn display<S: Simd>(levels: [f32x16<S>; 3]) -> u32x16<S> {
     let simd = levels[0].token();
     let zero = f32x16::splat(simd, 0.0);
     let [red, green, blue] = three!(|channel| {
-        // A maximum may return either operand where one of them is not a number; a comparison is false there.
-        let positive = levels[channel].simd_gt(zero).select(levels[channel], zero);
+        // Zero where a level is not a number, unlike `max`.
+        let positive = levels[channel].max_precise(zero);
         let clamped = positive.min(f32x16::splat(simd, 255.0));
         (f32x16::from_bits(clamped.to_bits() + 1) + INTEGERS).to_bits()
     });

@@ -111,6 +111,7 @@ fn find_overlap(
     if has_many_objects {
         covered.resize(rows.len() * words, 0);
     }
+    let covered = covered.as_mut_slice();
     for piece in list.strip(strip) {
         for (row, span) in list.spans(piece).within(rows) {
             band.will_draw(row, &span, !has_many_objects);

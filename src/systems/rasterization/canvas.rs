@@ -138,7 +138,7 @@ impl Canvas<'_, '_> {
             rows.go_to(part);
             let first = left + 16 * part;
             let lines = self.band.bytes[start..].chunks_exact_mut(self.band.width);
-            for (row, line) in lines.take(square.side).enumerate() {
+            for (row, line) in (0..square.side).zip(lines) {
                 line[first..first + 16].copy_from_slice(rows.pixels(row).as_slice());
             }
         }

@@ -134,10 +134,10 @@ fn cover_small<S: Simd>(
         return None;
     }
     let rows = (last[1] - first[1] + 1) as usize;
-    for row in covered(simd, corners, first, rows).into_iter().take(rows) {
-        let from = first[0] + row.trailing_zeros() as i32;
-        list.from.push(from);
-        list.to.push(from + row.count_ones() as i32);
-    }
+    let bits = &covered(simd, corners, first, rows)[..rows];
+    let from = |row: &u32| first[0] + row.trailing_zeros() as i32;
+    list.from.extend(bits.iter().map(from));
+    let to = |row: &u32| first[0] + (u32::BITS - row.leading_zeros()) as i32;
+    list.to.extend(bits.iter().map(to));
     Some(first[1] as usize)
 }
