@@ -20,10 +20,13 @@ struct Told {
 fn step(word: &str, number: usize) -> Told {
     let lesson = LESSONS.iter().find(|it| it.0.contains(word));
     let scene = Scene::load(lesson.map(|it| it.0)).expect("a lesson");
-    let Step { say, record, .. } = &scene.lesson[number - 1];
+    told(&scene.lesson[number - 1])
+}
+
+fn told(step: &Step) -> Told {
     Told {
-        say: say.clone(),
-        record: SceneRecord::clone(record),
+        say: step.say.clone(),
+        record: SceneRecord::clone(&step.record),
     }
 }
 
@@ -115,15 +118,10 @@ fn the_line_of_a_wipe_and_the_cross_are_on_the_bright_spot() {
     let mut seen = 0;
     for (name, _) in LESSONS {
         for step in &*Scene::load(Some(name)).expect("a lesson").lesson {
-            let record = &step.record;
-            let told = Told {
-                say: step.say.clone(),
-                record: SceneRecord::clone(record),
-            };
-            let Some([x, y]) = spot(&told.pixels(ShadingMode::Phong)) else {
+            let Some([x, y]) = spot(&told(step).pixels(ShadingMode::Phong)) else {
                 continue;
             };
-            let view = &record.view;
+            let view = &step.record.view;
             if view.show == ViewMode::Wipe {
                 assert!((x - view.divider).abs() < 0.01, "{x}: {}", step.say);
                 seen += 1;

@@ -1,4 +1,4 @@
-//! The format of `trade.json`: the keys of its tables, and the range of each figure.
+//! The format of `trade.json`: the keys of its tables, and figures that follow from others.
 
 use serde_json::Value;
 
@@ -60,11 +60,6 @@ fn check_method(method: &Value, report: &Value) {
     assert_eq!(keys(method), OF_METHOD, "{what}");
     let counts = keys(&method["counts"]);
     assert_eq!(counts, "model_evaluations specular_evaluations", "{what}");
-    let size = numbers(&report["size"]);
-    assert!(
-        number(&method["edge_pixels"]) <= size[0] * size[1],
-        "{what}"
-    );
     let covered = number(&report["covered_pixels"]);
     let is_timed = !["phong-unit-vectors", "blinn-phong"].contains(&what);
     assert_eq!(method["ms"].is_object(), is_timed, "{what}");
@@ -82,22 +77,8 @@ fn check_method(method: &Value, report: &Value) {
         expected = (covered > 0.0).then_some(median * 1e6 / covered);
     }
     assert_eq!(method["ns_per_covered_pixel"].as_f64(), expected, "{what}");
-    let kept = &method["highlight_kept"];
-    assert!(
-        kept.is_null() || (0.0..=1.0).contains(&number(kept)),
-        "{what}"
-    );
     for error in ["error", "own_error"].map(|key| &method[key]) {
         assert_eq!(error.is_object(), covered > 0.0, "{what}");
-        if error.is_null() {
-            continue;
-        }
-        assert_eq!(keys(error), OF_ERROR, "{what}");
-        let [mean, rmse, max] = ["mean", "rmse", "max"].map(|key| number(&error[key]));
-        let in_levels = [0.0, mean, rmse, max, 255.0].is_sorted();
-        assert!(in_levels && number(&error["p999"]) <= max, "{what}");
-        assert!((0.0..=1.0).contains(&number(&error["over_1_level"])));
-        let pixel = numbers(&error["max_pixel"]);
-        assert!(pixel[0] < size[0] && pixel[1] < size[1], "{what}");
+        assert!(error.is_null() || keys(error) == OF_ERROR, "{what}");
     }
 }
