@@ -27,18 +27,14 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use fearless_simd::Level;
-use shadetrade::components::View;
-use shadetrade::scene::{Scene, SceneRecord};
-use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::{App, StepOutput};
 use shadetrade::window::desk::Desk;
 use shadetrade::window::document::Document;
 use shadetrade::window::facts::Comparison;
 use tempfile::TempDir;
 
-use super::support::scene::draw;
-use super::support::window::{app, default_scene, widgets};
+use crate::support::prelude::*;
+use crate::support::window::{app, default_scene, widgets};
 
 /// A size with room for the panel, the inspector and a small picture.
 const SIZE: [usize; 2] = [1240, 600];

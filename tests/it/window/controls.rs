@@ -3,17 +3,14 @@
 use std::time::Duration;
 
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::components::{NormalMode, Projection, Side, ViewMode, common, viewer, viewer_mut};
-use shadetrade::scene::{self, Scene, SceneRecord};
-use shadetrade::shading::Method;
+use shadetrade::scene;
 use shadetrade::window::controls::{
-    Rotation, has_face_normals, next_camera, next_projection, set_budget, set_tolerance, show,
-    step_tolerance, switch_light_named, switch_normals, wipe,
+    Rotation, has_face_normals, set_budget, set_tolerance, show, switch_normals, wipe,
 };
 use shadetrade::window::keys::EXACT_SIDES;
 
-use super::{changed, default_record};
-use crate::support::records;
+use super::changed;
+use crate::support::prelude::*;
 use crate::support::window::default_scene;
 
 #[test]
@@ -40,39 +37,6 @@ fn sides_of_a_wipe_follow_the_tolerance_that_they_had() {
     wipe(&mut world, EXACT_SIDES);
     show(&mut world, ViewMode::Wipe);
     assert_eq!(viewer(&world).sides, Side::gouraud_phong(2.0));
-}
-
-#[test]
-fn each_limit_has_its_own_message() {
-    let mut world = default_scene().world;
-    let last = |change: &mut dyn FnMut() -> Option<String>| (0..200).find_map(|_| change());
-    for (steps, words) in [(1, "coarsest"), (-1, "0")] {
-        let told = last(&mut || {
-            let told = step_tolerance(&mut world, steps);
-            told.filter(|it| !it.contains("look"))
-        });
-        assert!(told.is_some_and(|it| it.contains(words)), "{words}");
-    }
-    let told = switch_light_named(&world, "moon");
-    assert!(told.is_some_and(|it| it.contains("moon")));
-}
-
-#[test]
-fn cameras_and_projections_take_turns_and_a_single_one_says_so() {
-    let mut record = default_record();
-    let mut world = record.spawn();
-    for (name, projection) in [
-        ("2", Projection::Orthographic),
-        ("1", Projection::Perspective),
-    ] {
-        assert_eq!(next_camera(&mut world), None);
-        next_projection(&mut world);
-        let viewer = viewer(&world);
-        assert_eq!(viewer.camera.as_deref(), Some(name));
-        assert_eq!(viewer.projection, projection);
-    }
-    record.camera.truncate(1);
-    assert!(next_camera(&mut record.spawn()).is_some());
 }
 
 #[test]

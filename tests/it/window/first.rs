@@ -4,15 +4,12 @@ use egui::accesskit::Role;
 use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use fearless_simd::Level;
-use shadetrade::components::{ShadingMode, Side, TriangleId, ViewMode, common};
-use shadetrade::systems::frame::Keep;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::HEADINGS;
 
 use super::trade::with_trade;
 use super::{Window, press};
-use crate::support::scene::draw;
+use crate::support::prelude::*;
 use crate::support::window::{app, first_scene, places, widgets};
 
 /// The roles of widgets that are clicked.
@@ -127,11 +124,9 @@ fn the_question_asks_for_the_highlight_where_there_is_one() {
     assert_eq!(window.record().view.show, ViewMode::Wipe);
     assert_eq!(window.record().view.sides, Side::gouraud_phong(0.5));
     let has_question = |window: &mut Window| {
-        let spare = app(first_scene(), [64, 48], Level::new());
-        let mut harness = widgets(std::mem::replace(&mut window.app, spare), [1240, 960]);
-        let has = harness.query_by_label_contains("bright spot").is_some();
-        std::mem::swap(&mut window.app, harness.state_mut());
-        has
+        window.with_widgets([1240, 960], |it| {
+            it.query_by_label_contains("bright spot").is_some()
+        })
     };
     assert!(has_question(&mut window));
     // Without a highlight on either side there is nothing to ask for.

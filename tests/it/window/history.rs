@@ -5,12 +5,10 @@ use std::time::Duration;
 
 use egui::Key::{self, ArrowLeft, C, CloseBracket, F4, Num2, O, P, Plus, W};
 use egui::Modifiers;
-use shadetrade::components::{LightKind, Side};
-use shadetrade::scene::SceneRecord;
 use shadetrade::window::document::{State, history};
 
 use super::{PAUSE, Window, default_record};
-use crate::support::records;
+use crate::support::prelude::*;
 use crate::support::window::default_scene;
 
 const CHANGES: [Key; 9] = [W, Num2, P, O, CloseBracket, ArrowLeft, Plus, F4, C];

@@ -5,7 +5,6 @@ use std::collections::HashSet;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2, vec2};
 use egui_kittest::kittest::Queryable;
-use shadetrade::components::{ShadingMode, Side, ViewMode};
 use shadetrade::scene::key::{assignment, set};
 use shadetrade::window::facts::{Comparison, Worst};
 use shadetrade::window::inspector::Tab;
@@ -13,6 +12,7 @@ use shadetrade::window::keys::{self, Action, EXACT_SIDES};
 
 use super::trade::app_with_trade;
 use super::{PAUSE, SIZE, Window, press};
+use crate::support::prelude::*;
 use crate::support::window::{default_scene, widgets};
 
 /// The smallest size that opens with the panel.

@@ -6,7 +6,6 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use fearless_simd::Level;
 use serde_json::{Value, json};
-use shadetrade::components::numbers::number_of;
 use shadetrade::scene::SceneRecord;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
@@ -28,52 +27,6 @@ fn record() -> SceneRecord {
 /// Reads a record as the editor does.
 fn read(scene: &Value) -> anyhow::Result<SceneRecord> {
     Ok(SceneRecord::from_tree(toml::Value::try_from(scene)?)?)
-}
-
-/// Adds the JSON pointer of every number in a tree.
-fn add_numbers(tree: &Value, path: &str, found: &mut Vec<String>) {
-    match tree {
-        Value::Number(_) => found.push(path.to_owned()),
-        Value::Array(all) => {
-            for (place, it) in all.iter().enumerate() {
-                add_numbers(it, &format!("{path}/{place}"), found);
-            }
-        }
-        Value::Object(table) => {
-            for (key, it) in table {
-                add_numbers(it, &format!("{path}/{key}"), found);
-            }
-        }
-        _ => {}
-    }
-}
-
-#[test]
-fn the_range_of_each_key_is_that_of_the_scene_format() {
-    let scene = json!(record());
-    let mut paths = Vec::new();
-    add_numbers(&scene, "", &mut paths);
-    paths.retain(|path| !path.starts_with("/view"));
-    assert!(paths.len() > 60, "{}", paths.len());
-    for path in paths {
-        let mut keys = path.split('/').filter(|key| key.parse::<u8>().is_err());
-        let key = number_of(keys.next_back().expect("a key")).expect("a number");
-        let (least, most) = key.range.clone().into_inner();
-        for number in [least, most, least.next_down(), most.next_up()] {
-            let is_within = (least..=most).contains(&number);
-            let mut changed = scene.clone();
-            *changed.pointer_mut(&path).expect("a number") = json!(number);
-            // JSON has no infinity, which is written as null and refused in other words. A legal number may be refused beside
-            // others.
-            let error = read(&changed).err().map(|error| error.to_string());
-            let is_refused = error.is_some_and(|error| error.contains(&key.words()));
-            assert_eq!(
-                is_refused,
-                !is_within && number.is_finite(),
-                "{path} = {number}"
-            );
-        }
-    }
 }
 
 /// The positions of the numbers in sight.

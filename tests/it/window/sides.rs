@@ -4,15 +4,13 @@ use std::time::Duration;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
-use glam::DVec3;
-use shadetrade::components::{ShadingMode, Side, ViewMode};
-use shadetrade::shading::Method;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::pictures::side_view;
 
 use super::trade::{WORST, app_with_trade};
 use super::{Window, changed, choose, press};
+use crate::support::prelude::*;
 use crate::support::window::{default_scene, widgets};
 
 const SIZE: [usize; 2] = [1400, 800];

@@ -3,13 +3,11 @@
 use std::time::Duration;
 
 use egui::{Key, Modifiers, pos2};
-use shadetrade::scene::{Scene, SceneRecord};
 use shadetrade::window::inspector::Tab;
 use shadetrade::window::keys::{Action, keys};
 
 use super::Window;
-use crate::support::cases::cases;
-use crate::support::random::Random;
+use crate::support::prelude::*;
 use crate::support::window::default_scene;
 
 /// Events of a storm.

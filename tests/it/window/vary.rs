@@ -6,21 +6,17 @@ use std::task::{Context, Poll, Waker};
 use egui::{Key as Press, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use fearless_simd::Level;
 use shadetrade::components::ShadingMode::{Gouraud, Phong, UnitVectors};
-use shadetrade::output::Monitor;
 use shadetrade::questions::vary::curve::Curve;
 use shadetrade::questions::vary::picture::{Compared, errors};
 use shadetrade::questions::vary::refined::{PIXELS, Refined};
 use shadetrade::questions::vary::variable::{Variable, present};
-use shadetrade::scene::SceneRecord;
 use shadetrade::scene::key::Key;
-use shadetrade::shading::Method;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::Tab;
 
 use super::{Window, click_at, default_record, drag, press};
-use crate::support::scene::done;
+use crate::support::prelude::*;
 use crate::support::window::{default_scene, places, widgets};
 
 /// A window with one open heading.
