@@ -38,7 +38,7 @@ const FOLDED: f32 = 22.0;
 const ROW: f32 = 20.0;
 /// The letters above the picture, in points, and those of the longest sentence.
 const LETTERS: f32 = 15.0;
-const LONGEST: usize = 80;
+const LONGEST: usize = 72;
 
 const QUESTION: &str = "Same box, same lamps: where is the bright spot on the left?";
 const MIXED: &str = "The cuboids are shaded in different modes.";
