@@ -27,7 +27,7 @@
 //! and how precisely a frame is drawn. Code that measures or proves changes a copy of the view, never the viewer.
 //!
 //! **A frame runs five systems**, in the order of [`systems::FRAME`]. Each is a function of the world, the view and
-//! the frame, and has a test of its own in `tests/it/systems`.
+//! the frame. `tests/it/systems` runs them one by one; normals are tested by the proofs of `tests/it/prove`.
 //!
 //! 1. [`systems::spin`]: a cuboid's place and axes in the world, from its transform and the common rotation angle.
 //! 2. [`systems::normals`]: the mesh's vertex normals, turned; or the faces' own. A corner normal is the normalised
@@ -42,9 +42,9 @@
 //!    - Gouraud: at the eight corners; with face normals at the four corners of each visible face;
 //!    - Gouraud with several segments along an edge: at the points of a grid ([`shading::grid`]).
 //! 5. [`systems::rasterization`]: [`systems::coverage`] finds each covered pixel once, in integers, by the top-left
-//!    rule. Squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader.
-//!    `systems/rasterization/canvas.rs` writes pixels. The display step comes once and last:
-//!    `byte = floor(clamp(I, 0, 255) + 0.5)`.
+//!    rule. Flat faces are filled; squares of 32 or 16 pixels a side, or the pixels of a small face, go to a shader.
+//!    `systems/rasterization/canvas.rs` writes squares, [`shading::listed`] pixels that are evaluated one by one. The
+//!    display step comes once and last: `byte = floor(clamp(I, 0, 255) + 0.5)`.
 //!
 //! ```
 //! use shadetrade::components::{ShadingMode, View, overwrite, viewer_mut};
@@ -118,7 +118,7 @@
 //!
 //! Rounding is part of the tolerance ([`shading::rounding`] counts it, with constants that `proofs/` checks by
 //! machine). At tolerance 0 the model is evaluated at every pixel. Highlights are left out only if all of them
-//! together are proven to stay below 1/80 level, a quarter of the 0.05 that tolerance 0 permits. 1 - o.r is
+//! together are proven to stay below a quarter of the tolerance; at tolerance 0, of the 0.05 that it permits. 1 - o.r is
 //! computed as |r - o|² / 2, because 1 - o.r itself loses digits near the highlight (Lyon 1993;
 //! [`shading::specular`]).
 //!
@@ -161,6 +161,9 @@
 //! # Ok::<(), anyhow::Error>(())
 //! ```
 //!
+//! What a command prints, its JSON included, is in the file of its question, or in `command.rs` or `export.rs`
+//! below it; `docs/json.md` explains the fields.
+//!
 //! [`mod@questions::requires`] encloses two pictures, with and without a part of the model. Their difference bounds
 //! the error of leaving that part out. It tries each light, each cuboid, the normalisation of normals,
 //! perspective-correct interpolation and others in turn, and says which of them the tolerance requires. It also
@@ -179,9 +182,8 @@
 //! # What to touch to add ...
 //!
 //! - a method: a variant of [`components::ShadingMode`] and of [`shading::Shader`], a file under `shading/`, a row
-//!   of [`shading::METHODS`], and its own definition in the reference. The compiler shows the matches; conditions
-//!   on the mode stand in [`systems::lighting`], `systems/rasterization`, `reference/picture.rs` and
-//!   `questions/probe`;
+//!   of [`shading::METHODS`], and its own definition in the reference. The compiler shows the matches; `rg 'Mode::'`
+//!   shows the conditions on the mode, such as that of [`shading::Method`] on the tolerance;
 //! - a light kind: a variant of [`components::LightKind`] and its name, its sum in `gather` of
 //!   `systems/lighting.rs`, its term in `shading/surface.rs` (f64) and `shading/phong.rs` (f32, with its bound),
 //!   and, written anew, in `reference/illumination.rs`. An ambient light needs its sum alone;
@@ -190,8 +192,8 @@
 //! - an extreme that must be drawn right: a scene in `assets/extremes`, and what is known of it in the index there;
 //! - a metric: a field of [`questions::metrics::ErrorStatistics`], which JSON has automatically, and a row of
 //!   `COLUMNS` in [`questions::trade::export`] if the table is to show it;
-//! - a value of a scene: a component; its key in the records of [`scene`], with its range; and the two places where
-//!   [`scene::SceneRecord`] spawns it and takes it from a world. The window's editor shows it by itself. Its
+//! - a value of a scene: a component; its key in the records of [`scene`]; for a number, its range in
+//!   `components/numbers.rs`; and the two places where [`scene::SceneRecord`] spawns it and takes it from a world. The window's editor shows it by itself. Its
 //!   comment in `assets/scenes/cuboid.toml` is its tooltip;
 //! - a lesson: a file in `assets/lessons`, and its row of [`scene::LESSONS`];
 //! - a key: a [`window::keys::Action`] with its row of [`window::keys::BINDINGS`], and an arm of `App::run` in
@@ -214,7 +216,7 @@
 //! inside that room. Beyond that: [`mod@reference`] takes components, [`output::memory`] and [`output::progress`],
 //! and no code of the renderer; [`output`] imports nothing else of this crate; [`cli`] imports what it needs to
 //! convert and check options; minifb is named in [`window`] alone, egui in [`output::paint`], [`window`] and
-//! [`questions::figures`], which draws letters; only [`scene`] reads and writes scene files.
+//! [`questions::figures`], which draws letters; only [`scene`] parses and formats scene files.
 //!
 //! # What is not modelled, and why
 //!

@@ -13,6 +13,7 @@
 //! | the scene for other renderers | [`export`] |
 //! | the scene, size and threads of a question | [`job`] |
 //! | the errors of a picture | [`metrics`] |
+//! | the text and the JSON that a command prints | the file of the question, or `command.rs` or `export.rs` below it |
 //!
 //! # Who may import whom
 //!

@@ -32,7 +32,7 @@
 //! | How is a mode evaluated? | `shader` chooses: [`phong`], [`gouraud`] with the cells of [`grid`]; flat is Gouraud with one colour |
 //! | Why is the error within the tolerance? | [`moving`], [`bound`], [`gloss`], [`rounding`], [`interpolation`] |
 //! | Which pixels, and in which lanes? | [`square`], [`lanes`], [`rows`], [`listed`], [`simd`] |
-//! | Where is a pixel written? | `draw` of `systems/rasterization/canvas.rs`, and [`listed`] for pixels evaluated in f64 |
+//! | Where is a pixel written? | `draw` of `systems/rasterization/canvas.rs`, and [`listed`] for pixels that are evaluated one by one |
 //! | Which methods are compared? | `method` |
 //!
 //! Terms: a *node* is one of the nine points of a square at which the model is sampled. A *terminator* is a line on which

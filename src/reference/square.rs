@@ -27,8 +27,8 @@ use crate::components::{ShadingMode, TriangleId};
 pub const MAX_ENCLOSED_SIDE: usize = 16;
 const MIN_SIDE: usize = 4;
 
-/// sqrt(3) / 2, rounded. The polynomial x (x^2 - NODE^2) / 6 of the error, and the Lebesgue constant, change by less than a
-/// relative [`ROUNDING`].
+/// sqrt(3) / 2, rounded. That changes the node polynomial x (x^2 - NODE^2) / 6 of the error, and the Lebesgue constant, by a
+/// relative error below [`ROUNDING`].
 const NODE: f64 = 0.866_025_403_784_438_6;
 
 /// The nodes along an axis.

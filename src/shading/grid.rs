@@ -203,13 +203,13 @@ pub struct Grid<'a> {
     surface: Surface<'a>,
 }
 
-/// The rounding error of a place in f32, relative to the largest on the square: with the operations of
-/// [`super::gouraud`], without its triangles and its display,
+/// The rounding error of a place in the grid in f32, relative to the largest place on the square. It is counted as `COLOR_ERROR` of
+/// [`super::gouraud`] is, without the rows of the wrong triangle and of the display:
 ///
 /// ```text
-///   numerator 6, w 3 x 6, division 2, all that over the smallest w, which is 1/2: 52
+///   (6 of the numerator + 3 x 6 of w + 2 of the division) / smallest w = 26 / (1/2) = 52
 /// ```
-/// and one more, in cells, where a place below 0 is counted from the corner of its cell.
+/// `Grid::rounding` adds U cells: `place - cell` is exact from 0 on, but may round below 0.
 const PLACE_ERROR: f64 = 52.0 * U;
 
 /// The rounding error of an interpolated level, relative to the largest of the grid: the weights are positive, and their

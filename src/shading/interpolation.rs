@@ -97,10 +97,14 @@ pub fn sampled<S: Simd>(
 /// ```
 /// A thousandth is added, because each rounding enlarges the errors before it (`proofs/rows.v`).
 ///
-/// A fourth channel with its term has the size F + 1, where F is the sum of the sizes of the channel's terms. For max(0, n.l) that is
-/// more than enough. The exponent y of a highlight errs by d <= 9 U F, which is below 1 (`MAX_FOURTH`). 2^y is below 1.3, 2^d is at
-/// most 1 + d, and the power of two errs by 4.3 U. So with the last five roundings 2^y errs by at most 1.3 (9 F + 4.3 + 5) U, which is
-/// less than 14 (F + 1) U.
+/// Let F be the sum of the sizes of the terms of the fourth channel's polynomial. Its term is counted as F + 1, times its factor
+/// in each colour channel. For max(0, n.l), F alone would do. For a highlight the polynomial is an exponent y, its term is 2^y, and
+///
+/// - y errs by d <= 9 U F, which is below 1 (`MAX_FOURTH`), so 2^y changes by at most the factor 1 + d;
+/// - the power of two errs by 4.3 U, and five more roundings follow: 3 and 2 in the table;
+/// - 2^y is below 1.3: s^rho is at most 1, and the error of its interpolated exponent is limited (`MAX_EXPONENT_ERROR`).
+///
+/// Together that is at most 1.3 (9 F + 4.3 + 5) U, which is less than 14 (F + 1) U.
 pub(super) const ROW_ERROR: f64 = 14.001 * U;
 
 /// The error of multiples of 1/256 level: at most four roundings to the nearest multiple, `proofs/fixed.g`. In quadratic rows these

@@ -16,8 +16,9 @@
 //! rho < 1, because the slope of s^rho is too steep. Such a pixel is marked by a level that is not a number, and evaluated
 //! again in f64. Without these marks the whole square would be evaluated in f64.
 //!
-//! All decisions depend on the face and on the square, but for the number of pixels from which bounds are computed: that counts
-//! four squares. The grid says which four belong together, so neither threads nor parts of a picture change a decision.
+//! Decisions depend on the face and on the square, with one exception: bounds are computed only if a group of four squares covers
+//! enough pixels (`WORTHWHILE` of `systems/rasterization/quadtree.rs`). A group is four neighbours in a row, counted from the first
+//! square of the face, or the quarters of one square. So neither threads nor parts of a picture change a decision.
 
 mod light;
 

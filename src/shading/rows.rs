@@ -39,9 +39,9 @@ const BIAS: f64 = 49_152.5;
 /// The largest of them whose byte does not overflow.
 const FIXED_MOST: f32 = FIXED_OFFSET + 256.0 - 1.0 / 256.0;
 
-/// A linear colour in multiples of 1/256 level: red and blue in the upper and the lower half of one integer, green in
-/// another. A negative change of the lower half borrows from the upper one. The sum returns it, because each channel's sum
-/// is within 0..65536.
+/// A linear colour in multiples of 1/256 level, with a half added so that truncation rounds. Two integers hold three channels:
+/// `red << 16 | blue`, and green, so one addition adds two channels. A negative change of blue borrows 1 from red. Its addition to
+/// the start of the row carries 1 back, because the sum of blue is within 0..65536 (`FIXED_RANGE`).
 pub struct LinearRows<S: Simd> {
     /// The levels at the start of each row, and the changes from there to each column of the part.
     starts: [[u32; MAX_SIDE]; 2],

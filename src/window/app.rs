@@ -176,7 +176,7 @@ impl App {
         })
     }
 
-    /// Brings everything up to the time of the step, and the events from pixels to points.
+    /// Advances all parts to the time of the step. Converts positions of events from pixels to points.
     fn prepare(&mut self, now: Duration, size: [usize; 2], input: &mut RawInput) {
         self.desk.now = now;
         self.canvas.rest(now);

@@ -121,8 +121,8 @@ impl Study {
         self.facts.outdate(change);
     }
 
-    /// Begins to find a fact about the present picture that is not known, unless a question of as much worth is being
-    /// answered. Even while things move a pixel is probed, which takes little time, and the picture is proven, if that follows.
+    /// Starts a question whose answer is not of the present picture, if none of the same or a higher priority is being
+    /// answered and the picture rests. While it moves, too, a pixel is probed, and the picture proven if proofs follow.
     pub(super) fn start_if_due<T: Send + 'static>(
         &mut self,
         subject: &Subject,

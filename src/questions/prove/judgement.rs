@@ -148,8 +148,10 @@ impl<'a> DrawnRow<'a> {
         are_equal(self.triangles) && are_equal(self.levels) && are_equal(self.pixels)
     }
 
-    /// The least and the largest possible error of a pixel, if its square shows the same face, and the square's polynomial,
-    /// with this value at the pixel, keeps it within the limit. A pixel whose bytes are those of its levels is as near.
+    /// Bounds of the error of pixel `x`, the least and the largest, over the channels. `enclosed` is the square's polynomial at
+    /// the pixel; exact levels differ from it by at most `square.error`. `None` if the square does not prove the pixel: it
+    /// shows another face, its bytes are not the display step of its levels, or the bound exceeds `limit`. Because of the
+    /// second condition a proof of the levels is one of the bytes.
     fn error(
         &self,
         x: usize,
