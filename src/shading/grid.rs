@@ -433,6 +433,32 @@ mod tests {
     }
 
     #[test]
+    fn an_error_of_a_place_costs_as_much_as_levels_change() {
+        let mut grids = Grids::default();
+        add(&mut grids, 9, |_| DVec3::ONE);
+        let grid = get(&grids, 0);
+        assert_eq!(grid.rounding([100.0; 2]), grid.rounding([0.0; 2]));
+    }
+
+    #[test]
+    fn places_need_one_more_cell_on_each_side() {
+        let segments = Segments::new(10).expect("it is legal");
+        let [first, size] = [[4; 2]; 2];
+        let cells = Cells::around([[0.1; 2], [0.3; 2]], segments);
+        assert_eq!(cells, Cells { first, size });
+    }
+
+    #[test]
+    fn places_in_one_cell_have_its_levels_without_an_error() {
+        let grids = grids(9, 40.0);
+        for tolerance in [0.0, 2.0] {
+            let patch = get(&grids, 0).patch([[3.2; 2], [3.8; 2]], &CORNERS, tolerance);
+            let patch = patch.expect("one cell needs no function for several");
+            assert_eq!((patch.cells.size, patch.error), ([1, 1], 0.0));
+        }
+    }
+
+    #[test]
     fn levels_in_f32_are_as_near_as_their_bound_says() {
         let mut most = 0.0_f64;
         for segments in [2, 3, 16, 255, 256] {
