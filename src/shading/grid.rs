@@ -441,6 +441,15 @@ mod tests {
     }
 
     #[test]
+    fn the_largest_level_of_any_channel_counts() {
+        for axis in DVec3::AXES {
+            let mut grids = Grids::default();
+            add(&mut grids, 9, |_| 100.0 * axis);
+            assert_eq!(get(&grids, 0).rounding([0.0; 2]), 100.0 * LEVEL_ERROR);
+        }
+    }
+
+    #[test]
     fn places_need_one_more_cell_on_each_side() {
         let segments = Segments::new(10).expect("it is legal");
         let [first, size] = [[4; 2]; 2];
