@@ -253,7 +253,7 @@ const checks = {
     await quiet(page, 300);
     await shot(page, "1366x768-offered");
     const { picture: [corner, size] } = await outcome(page);
-    await page.mouse.click(corner.x + size[0] / 2 + 88, corner.y + 9);
+    await page.mouse.click(corner.x + size[0] / 2 + 46, corner.y + 9);
     await page.mouse.move(...AWAY);
     await until(page, () => shadetrade.outcome().title.includes("*"));
     assert.equal(await shown(page), edited, "the edits are restored");
@@ -287,7 +287,7 @@ const checks = {
     let copied = "";
     await page.keyboard.press("e");
     await quiet(page, 300);
-    for (let y = 500; y < 740 && !isNumber.test(copied); y += 11) {
+    for (let y = 520; y < 740 && !isNumber.test(copied); y += 11) {
       await page.mouse.click(98, y);
       await quiet(page, 100);
       await page.keyboard.press("Control+a");
