@@ -150,15 +150,15 @@ pub fn figures(folder: &Path) -> anyhow::Result<()> {
         for &(name, mode, [camera, lights], label) in figures {
             scene.look_from(camera)?;
             scene.switch_lights(lights)?;
-            for size in [SIZE, CELL] {
+            let mut draw = |size| {
                 let view = View::of(&scene.world, size).shaded(mode);
                 systems::draw(&mut scene.world, &view.with_tolerance(0.0), &mut frame)?;
-                if size == CELL {
-                    cells.push((frame.pixels().to_vec(), label.to_owned()));
-                } else if !name.is_empty() {
-                    files.push((format!("{name}.png"), encode_png(frame.pixels(), SIZE)?));
-                }
+                anyhow::Ok(frame.pixels().to_vec())
+            };
+            if !name.is_empty() {
+                files.push((format!("{name}.png"), encode_png(&draw(SIZE)?, SIZE)?));
             }
+            cells.push((draw(CELL)?, label.to_owned()));
         }
         let (pixels, size) = sheet(title, columns, &cells, CELL);
         files.push((format!("{file}.png"), encode_png(&pixels, size)?));

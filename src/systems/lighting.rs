@@ -2,9 +2,8 @@
 //!
 //! Lights at one position are summed, since they have the same vectors l and r. Vertex colours are computed for cuboids
 //! with Gouraud shading: at the eight corners, with face normals at the four corners of each visible face, or with several
-//! segments at the points of each visible face whose cells may be seen, eight at a time. Points that are much denser than pixels
-//! are lit by the pixels that need them. With flat shading they are those at
-//! the middle of each visible face.
+//! segments at the points of each visible face whose cells may be seen, eight at a time. Points that are much denser than
+//! pixels are lit by the pixels that need them. With flat shading they are those at the middle of each visible face.
 
 use std::array::from_fn;
 use std::cmp::Ordering::Equal;

@@ -86,7 +86,9 @@ impl App {
             // It acts while it is held.
             Action::Blink => {}
             Action::Orbit(azimuth, elevation) => controls::orbit(world, azimuth, elevation),
-            Action::Zoom(steps) => drop(controls::zoom(world, steps)),
+            Action::Zoom(steps) => {
+                controls::zoom(world, steps);
+            }
             Action::ShowAll => {
                 self.canvas.fit_again();
                 let size = self.canvas.wide_size();

@@ -40,8 +40,8 @@ impl<const COUNT: usize> Judgement<'_, COUNT> {
         Shown::at((y - self.first_row) * self.width + x, levels, display)
     }
 
-    /// Proves some rows, at most [`MAX_ENCLOSED_SIDE`](crate::reference::MAX_ENCLOSED_SIDE) of them: in squares, and the pixels that these leave
-    /// open by themselves.
+    /// Proves some rows, at most [`MAX_ENCLOSED_SIDE`](crate::reference::MAX_ENCLOSED_SIDE) of them: in squares, and the
+    /// pixels that these leave open by themselves.
     pub fn strip(&self, rows: &Range<usize>) -> [Proof; COUNT] {
         let mut is_open = vec![true; rows.len() * self.width];
         let mut proofs = self.limits.map(|_| Proof {

@@ -78,15 +78,14 @@ pub async fn errors(
             }
         };
         let difference = compare(Picture::from(&drawn), Picture::from(&exact));
-        let mut own_error = None;
-        if request.is_report {
-            own_error = if method.mode == ShadingMode::Phong {
-                difference.error
-            } else {
-                let own = reference(&scene, *method, view, monitor).await?;
-                compare(Picture::from(&drawn), Picture::from(&own)).error
-            };
-        }
+        let own_error = if !request.is_report {
+            None
+        } else if method.mode == ShadingMode::Phong {
+            difference.error
+        } else {
+            let own = reference(&scene, *method, view, monitor).await?;
+            compare(Picture::from(&drawn), Picture::from(&own)).error
+        };
         found.methods.push(Measurement {
             method: *method,
             threads: request.drawing.threads,
