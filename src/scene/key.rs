@@ -281,6 +281,7 @@ fn comments(text: &'static str) -> Vec<(String, &'static str)> {
             && name.bytes().all(|it| it.is_ascii_lowercase())
         {
             let dot = if table.is_empty() { "" } else { "." };
+            let comment = comment.trim_start_matches("optional: ");
             comments.push((format!("{table}{dot}{name}"), comment));
         }
     }

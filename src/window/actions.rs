@@ -10,7 +10,6 @@ use super::keys::{self, Action, EXACT_SIDES};
 use super::marks::CROSS;
 use super::pictures::sides;
 use crate::components::ViewMode;
-use crate::scene::BUILT_IN;
 
 impl App {
     /// Runs the actions of the keys that were pressed, unless the widget with the focus takes them.
@@ -136,8 +135,7 @@ impl App {
             return;
         }
         if self.is_lesson_alone() {
-            let before = self.document.before_lessons.clone();
-            return self.open(before.as_deref().unwrap_or(BUILT_IN[0].0));
+            return self.leave_lesson();
         }
         if let Some(divider) = self.desk.divider.take() {
             self.viewer_mut().divider = divider;

@@ -166,7 +166,12 @@ pub fn set_budget(world: &mut World, budget: Option<f64>) {
     set_tolerance(world, Viewer::TOLERANCE);
     let (least, most) = range_of("budget").into_inner();
     let legal = |budget: f64| rounded(budget.clamp(least, most), 1);
-    viewer_mut(world).budget = budget.map(legal);
+    let mut viewer = viewer_mut(world);
+    viewer.budget = budget.map(legal);
+    // A wipe between two other methods would not show the one that keeps the budget.
+    if budget.is_some() && viewer.show == ViewMode::Wipe && !viewer.sides.contains(&Side::Picture) {
+        viewer.show = ViewMode::Picture;
+    }
 }
 
 /// Holds the time that the method on screen takes, with a little room, or the error again.

@@ -40,8 +40,8 @@ pub struct Document {
     pub folder: PathBuf,
     /// The step of the lesson, counted from 0.
     pub step: usize,
-    /// The name of the scene from which lessons were opened.
-    pub before_lessons: Option<String>,
+    /// The scene from which lessons were opened, as it was left.
+    pub before_lessons: Option<Box<Document>>,
 }
 
 impl Document {
@@ -63,14 +63,16 @@ impl Document {
     /// Shows another scene in place of this one.
     pub fn open(&mut self, scene: Scene) {
         let before = std::mem::replace(self, Document::of(scene));
-        self.folder = before.folder;
-        self.before_lessons = if before.scene.lesson.is_empty() {
-            Some(before.scene.name)
-        } else {
-            before.before_lessons
-        };
-        if let Some(unsaved) = before.unsaved {
+        self.folder.clone_from(&before.folder);
+        if let Some(unsaved) = &before.unsaved {
             self.keep_edits(&unsaved.folder);
+        }
+        if !self.scene.lesson.is_empty() {
+            self.before_lessons = if before.scene.lesson.is_empty() {
+                Some(Box::new(before))
+            } else {
+                before.before_lessons
+            };
         }
     }
 

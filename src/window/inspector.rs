@@ -9,7 +9,7 @@ mod vary;
 use egui::{Grid, Ui};
 use hecs::World;
 
-pub use self::pixel::section;
+pub use self::pixel::{SECTION, section};
 pub use self::vary::Varied;
 use super::app::App;
 use super::chart;

@@ -12,7 +12,7 @@ use super::canvas::Canvas;
 use super::error_map::{EDGE, NOTHING, draw_scale, position};
 use super::facts::Facts;
 use super::help::about;
-use super::inspector::section;
+use super::inspector::{SECTION, section};
 use super::marks::{draw_cross, draw_line};
 use super::pictures::{QUARTERS, TINTS, side_method};
 use super::widgets::{INK, tag};
@@ -60,7 +60,8 @@ impl Labels<'_> {
         }
         if let Some(pixel) = self.canvas.pixel(self.viewer) {
             if self.has_row {
-                let top = self.place.bottom() - CURVE * self.place.height();
+                let height = SECTION.min(CURVE * self.place.height());
+                let top = self.place.bottom() - height;
                 self.curve(ui, self.place.with_min_y(top), pixel);
             }
             draw_cross(ui.painter(), self.place_of(pixel));
@@ -226,9 +227,9 @@ fn side_rows(ui: &mut Ui, facts: &Facts, method: Option<Method>, is_measured: bo
     ui.colored_label(
         INK,
         match method.map(|it| it.mode) {
-            Some(ShadingMode::Gouraud) => "light at the vertices",
+            Some(ShadingMode::Gouraud) => "light at vertices",
             Some(ShadingMode::Flat) => "light once a face",
-            _ => "light at every pixel",
+            _ => "light at pixels",
         },
     );
     let measured = method.and_then(|method| facts.measured(method));

@@ -16,7 +16,7 @@ use super::lesson::heading;
 use super::panel::{panel, path_row};
 use super::pictures::{side_method, sides};
 use super::widgets::{BAD, GOOD, INK, short, text};
-use crate::components::{Light, LightKind, Mesh, ShadingMode, Side, ViewMode, Viewer, names};
+use crate::components::{Light, LightKind, Mesh, Side, ViewMode, Viewer, names};
 use crate::output::words::capital;
 use crate::questions::trade::verdict::method_name;
 use crate::shading::Method;
@@ -40,7 +40,9 @@ const ROW: f32 = 20.0;
 const LETTERS: f32 = 15.0;
 const LONGEST: usize = 72;
 
-const QUESTION: &str = "Same box, same lamps: where is the bright spot on the left?";
+const QUESTION: &str = "Same box: where is the bright spot on the left?";
+/// Half of all levels.
+const HALF: f64 = 127.5;
 const MIXED: &str = "The cuboids are shaded in different modes.";
 const METHOD: &str = "The method on screen.";
 const ERROR: &str = "The largest error of a pixel against exact Phong, in levels of 255. A click shows why the pixel errs.";
@@ -115,24 +117,27 @@ impl App {
     /// The question that the picture raises: where a highlight is that one of two pictures lacks. Else the sentence about what is
     /// shown.
     fn question(&self) -> &'static str {
-        let (world, viewer) = (&self.document.scene.world, self.viewer());
-        let is_highlight = |it: &Light| it.on && it.kind == LightKind::Specular;
-        let has_highlight = world.query::<&Light>().iter().any(is_highlight);
-        let is_one = names::<Mesh>(world).len() == 1;
+        let viewer = self.viewer();
         match viewer.show {
-            ViewMode::Wipe
-                if viewer.sides == Side::gouraud_phong(viewer.tolerance)
-                    && has_highlight
-                    && is_one
-                    && !has_face_normals(world) =>
-            {
-                QUESTION
-            }
+            ViewMode::Wipe if self.lacks_highlight(&viewer) => QUESTION,
             ViewMode::Picture => self
                 .method()
                 .map_or(MIXED, |it| says(Action::Shading(it.mode))),
             mode => says(Action::View(mode)),
         }
+    }
+
+    /// Whether the left side of Gouraud and Phong lacks a highlight: it is off by more than half of all levels, or it is not known
+    /// yet how far.
+    fn lacks_highlight(&self, viewer: &Viewer) -> bool {
+        let world = &self.document.scene.world;
+        let is_highlight = |it: &Light| it.on && it.kind == LightKind::Specular;
+        let worst = self.study.facts.worst(&viewer.sides[0], self.method());
+        viewer.sides == Side::gouraud_phong(viewer.tolerance)
+            && names::<Mesh>(world).len() == 1
+            && !has_face_normals(world)
+            && world.query::<&Light>().iter().any(is_highlight)
+            && worst.is_none_or(|it| it.is_some_and(|it| it.error > HALF))
     }
 
     /// The line below the picture: a message, the name of what is shown in its place, or the result; and the file of edits.
@@ -162,23 +167,22 @@ impl App {
             Some((_, Some(Worst { error, .. }))) => {
                 let name = method.map_or("The picture".to_owned(), |it| capital(&method_name(it)));
                 let error = short(error);
-                let text = format!("{name} is off by up to {error} of 255.");
+                let text = format!("{name} errs by up to {error} of 255.");
                 let link = ui.link(RichText::new(text).color(INK));
                 link.on_hover_text(ERROR).clicked()
             }
             Some((_, None)) => ui.label("Nothing is drawn that could err.").clicked(),
             None => ui.weak("The error is being measured.").clicked(),
         };
-        let erring = method.filter(|_| worst.is_some_and(|it| it.1.is_some()));
-        if let Some((text, ink)) = self.proof_says(erring) {
+        if let Some((text, ink)) = self.proof_says() {
             ui.colored_label(ink, text).on_hover_text(about("proven"));
         }
         is_clicked
     }
 
     /// The sentence about the proof, and its colour. While things move, it is about the last proof, and stays the same for several
-    /// pictures, so that it can be read. `erring` is the method whose error is told before.
-    fn proof_says(&self, erring: Option<Method>) -> Option<(String, Color32)> {
+    /// pictures, so that it can be read.
+    fn proof_says(&self) -> Option<(String, Color32)> {
         let (study, fact) = (&self.study, &self.study.facts.proof);
         let moves = !(self.canvas.rests() && self.is_drawn());
         let known = if moves {
@@ -197,22 +201,12 @@ impl App {
             return Some((text.to_owned(), Color32::GRAY));
         };
         let (proven, pixels) = (proof.proven, proof.pixels as u64);
-        let [width, height] = self.canvas.size();
-        let both = if proof.pixels > width * height {
-            " of both pictures"
-        } else {
-            ""
-        };
         let text = if moves {
             format!("The last proof held for {proven} of {pixels} pixels.")
         } else if proven < pixels {
-            format!("{proven} of {pixels} pixels{both} are proven to be drawn right.")
+            format!("Drawn as defined, proven: {proven} of {pixels} pixels.")
         } else {
-            let every = match erring.filter(|it| it.mode != ShadingMode::Phong) {
-                Some(it) => format!("That is {}'s own error: every", capital(it.mode.name())),
-                None => "Every".to_owned(),
-            };
-            format!("{every} pixel{both} is drawn right, proven.")
+            "Drawn as defined, proven.".to_owned()
         };
         Some((text, if proven == pixels { GOOD } else { BAD }))
     }

@@ -7,7 +7,7 @@ use super::inspector::Tab;
 use crate::components::ViewMode;
 use crate::output::encode_png;
 use crate::output::files::write_numbered;
-use crate::scene::Scene;
+use crate::scene::{BUILT_IN, Scene};
 
 impl App {
     /// Opens a file or a built-in scene by its name. If it has an error, the scene before stays.
@@ -20,10 +20,35 @@ impl App {
 
     /// Shows a scene. If the edits of the one before cannot be written, that stays.
     pub fn open_scene(&mut self, scene: Scene) {
-        if let Err(error) = self.document.write_edits() {
-            return self.desk.say(format!("not opened: {error:#}"));
+        if self.writes_edits() {
+            self.document.open(scene);
+            self.show_document();
         }
-        self.document.open(scene);
+    }
+
+    /// Leaves a lesson for the scene from which lessons were opened, which is as it was.
+    pub(super) fn leave_lesson(&mut self) {
+        match self.document.before_lessons.take() {
+            None => self.open(BUILT_IN[0].0),
+            Some(before) if self.writes_edits() => {
+                self.document = *before;
+                self.show_document();
+            }
+            before => self.document.before_lessons = before,
+        }
+    }
+
+    /// Whether the edits of the scene are written, or it has none. Else says why.
+    fn writes_edits(&mut self) -> bool {
+        let written = self.document.write_edits();
+        if let Err(error) = &written {
+            self.desk.say(format!("not opened: {error:#}"));
+        }
+        written.is_ok()
+    }
+
+    /// Shows the document that has taken the place of another one.
+    fn show_document(&mut self) {
         (self.desk.shows_rest, self.desk.answer) = (false, None);
         self.study.clear();
         self.desk.divider = None;

@@ -123,7 +123,8 @@ impl ProbedSurface {
                 "Both are beyond the levels of the display"
             };
             let agreement = format!("{cause}: Gouraud and Phong agree within {}.", level(error));
-            return Some([agreement, self.dull().unwrap_or(evidence)]);
+            let dull = self.dull().map(|it| it + " ").unwrap_or_default();
+            return Some([agreement, dull + &evidence]);
         }
         let is_less = light.gouraud[channel] < light.phong[channel];
         let is_specular = light.kind == LightKind::Specular;

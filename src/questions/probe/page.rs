@@ -25,10 +25,10 @@ const OF_LEVEL: usize = 6;
 const ROUNDING: f64 = 1e-12;
 /// The width of the label before three numbers, and of each number.
 const LABEL: usize = 9;
-const CELL: usize = 14;
+const CELL: usize = 13;
 
 impl Probe {
-    /// The evaluation as lines of text, 54 letters long if names are short.
+    /// The evaluation as lines of text, 51 letters long if names are short.
     pub fn lines(&self) -> Vec<String> {
         let [x, y] = self.pixel;
         let Some(surface) = &self.surface else {

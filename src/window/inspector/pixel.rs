@@ -17,6 +17,8 @@ use crate::window::widgets::{BAD, GOURAUD, PHONG, still, wait};
 
 /// The height of the levels along the row, in points.
 const PLOT: f32 = 150.0;
+/// The height of the plot with its heading and a margin.
+pub const SECTION: f32 = PLOT + 27.0;
 /// The size of the letters of the numbers, in points.
 const NUMBERS: f32 = 10.0;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use egui::Key;
+use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shadetrade::scene::{BUILT_IN, LESSONS, Scene, title};
@@ -133,14 +133,20 @@ fn the_last_step_leads_to_the_next_lesson_and_escape_leaves() {
 }
 
 #[test]
-fn a_lesson_is_left_for_the_scene_before_it() {
+fn a_lesson_is_left_for_the_scene_before_it_as_it_was() {
     let scene = Scene::load(Some("bench-far")).expect("a scene");
     let mut window = Window::of(scene, SIZE);
+    window.press(Key::Period);
+    window.press(Key::W);
+    let before = window.app.document.state.clone();
     for (name, _) in &LESSONS[..2] {
         window.app.open(name);
     }
     window.press(Key::Escape);
     assert_eq!(window.app.document.scene.name, "bench-far");
+    assert_eq!(window.app.document.state, before);
+    window.press_with(Modifiers::COMMAND, Key::Z);
+    assert_ne!(window.app.document.state, before, "the history, too");
 }
 
 #[test]

@@ -35,8 +35,8 @@ fn both_tags_are_whole_in_windows_of_any_width() {
         press(&mut harness, Key::F3);
         let place = harness.state().canvas.place;
         let tags = [
-            ["Gouraud", "light at the vertices"],
-            ["Phong within half a level", "light at every pixel"],
+            ["Gouraud", "light at vertices"],
+            ["Phong within half a level", "light at pixels"],
         ];
         let tags = tags.map(|[name, lit]| {
             let mut named = harness.query_all_by_value(name).map(|node| node.rect());
@@ -116,7 +116,7 @@ fn the_worst_pixel_is_probed_by_its_key_and_by_the_result() {
     let mut window = Window::with(measured(), SIZE);
     window.press(Key::F5);
     let mut harness = widgets(window.app, SIZE);
-    harness.get_by_label_contains("off by up to").click();
+    harness.get_by_label_contains("errs by up to").click();
     harness.run_ok();
     assert!(harness.state().desk.is_open(Tab::Pixel));
     // A place that was saved in a wider window may be outside.
@@ -148,7 +148,7 @@ fn no_error_of_another_picture_is_shown() {
         // The wipe has no number.
         let is_number = shown.any(|node| format!("{node:?}").contains("165"));
         assert!(!is_number || key.is_none(), "{key:?}");
-        let tags = harness.query_all_by_label_contains("off by up to").count();
+        let tags = harness.query_all_by_label_contains("errs by up to").count();
         assert_eq!(tags, usize::from(key.is_none()), "{key:?}");
     }
 }
