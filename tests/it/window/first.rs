@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{Key, Rect, Shape, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use shadetrade::window::app::App;
 use shadetrade::window::inspector::{HEADINGS, Tab};
 
