@@ -34,10 +34,11 @@ pub fn run(world: &mut World, view: &View, frame: &mut Frame) {
 pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: &mut Projected) {
     let axes = transform.axes;
     let centre = transform.position - lens.eye;
-    projected.seen = mesh.corners.map(|corner| {
+    let [right, up, forward] = lens.axes;
+    for (seen, corner) in projected.seen.iter_mut().zip(mesh.corners) {
         let from_eye = centre + axes * corner;
-        DVec3::from_array(lens.axes.map(|axis| axis.dot(from_eye)))
-    });
+        *seen = DVec3::new(right.dot(from_eye), up.dot(from_eye), forward.dot(from_eye));
+    }
     let eye_side = match lens.projection {
         Projection::Perspective => axes.transpose() * -centre,
         // The eye is infinitely far away, opposite to the view direction. 0 * infinity is NaN, which is in front of no face:
@@ -46,20 +47,27 @@ pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: 
     };
     let frustum = Frustum::new(lens, axes, centre);
     let half = mesh.corners[7];
-    let snapped = frustum
-        .holds(half)
-        .then(|| projected.seen.map(|seen| frustum.snapped(seen)));
+    let is_whole = frustum.holds(half);
+    let mut snapped = [[0; 2]; 8];
+    if is_whole {
+        for (snapped, seen) in snapped.iter_mut().zip(projected.seen) {
+            *snapped = frustum.snapped(seen);
+        }
+    }
     for (index, polygon) in projected.polygons.iter_mut().enumerate() {
-        let corners = FACES[index].map(usize::from);
+        let corners = FACES[index];
         let axis = index / 2;
         let is_front = outward_sign(index) * eye_side[axis] > half[axis];
         if !is_front {
             polygon.len = 0;
-        } else if let Some(snapped) = &snapped {
+        } else if is_whole {
             polygon.len = 4;
-            polygon.vertices[..4].copy_from_slice(&corners.map(|corner| snapped[corner]));
+            for (vertex, corner) in polygon.vertices.iter_mut().zip(corners) {
+                *vertex = snapped[usize::from(corner)];
+            }
         } else {
-            *polygon = frustum.clip(axis, corners.map(|corner| mesh.corners[corner]));
+            let corners = corners.map(|corner| mesh.corners[usize::from(corner)]);
+            *polygon = frustum.clip(axis, corners);
         }
     }
 }

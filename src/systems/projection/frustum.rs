@@ -108,11 +108,12 @@ impl<'a> Frustum<'a> {
     /// The snapped pixel of a visible point. Rasterization relies on the guard band, which rounding of large numbers may leave,
     /// so the pixel is clamped to it.
     pub fn snapped(&self, seen: DVec3) -> [i32; 2] {
-        let pixel = self.lens.pixel(self.lens.homogeneous(seen));
-        [0, 1].map(|axis| {
-            let middle = self.lens.middle[axis];
-            snap(pixel[axis].clamp(middle - GUARD_BAND, middle + GUARD_BAND))
-        })
+        let [x, y] = self.lens.pixel(self.lens.homogeneous(seen));
+        let [column, row] = self.lens.middle;
+        [
+            snap(x.clamp(column - GUARD_BAND, column + GUARD_BAND)),
+            snap(y.clamp(row - GUARD_BAND, row + GUARD_BAND)),
+        ]
     }
 }
 
@@ -195,7 +196,10 @@ impl EdgeLine {
 
 /// Pixels to the nearest 1/256 pixel; halves go up, so that a shift by whole pixels shifts the result.
 fn snap(pixels: f64) -> i32 {
-    (pixels * 256.0 + 0.5).floor() as i32
+    let place = pixels * 256.0 + 0.5;
+    let towards_zero = place as i32;
+    // The largest whole number below, which x86-64 without SSE4.1 computes in a call.
+    towards_zero - i32::from(f64::from(towards_zero) > place)
 }
 
 #[cfg(test)]
