@@ -16,6 +16,7 @@
 use glam::DVec3;
 
 use super::affine::Affine;
+use super::simd::{four, three, two};
 use crate::components::{
     FACES, Lens, Polygon, Projection, WorldTransform, axes_along, length, outward_sign,
 };
@@ -132,13 +133,17 @@ impl<'a> Face<'a> {
             diagonal: Affine::default(),
             uv_gradient: 0.0,
             middle: centre + plane.outwards * half[axis],
-            half_edges: along.map(|axis| transform.axes.col(axis) * half[axis]),
-            corners: FACES[plane.face]
-                .map(|corner| along.map(|axis| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 })),
+            half_edges: two!(|it| transform.axes.col(along[it]) * half[along[it]]),
+            corners: four!(|corner| {
+                let bits = FACES[plane.face][corner];
+                two!(|it| 2.0 * f64::from(bits >> along[it] & 1) - 1.0)
+            }),
         };
         let to_centre = face.towards(centre, DVec3::ZERO);
-        let [u, v] =
-            along.map(|axis| to_centre.map(|c| -transform.axes.col(axis).dot(c) / half[axis]));
+        let [u, v] = two!(|it| {
+            let (axis, half) = (transform.axes.col(along[it]), half[along[it]]);
+            to_centre.map(|c| -axis.dot(c) / half)
+        });
         let w = &plane.w;
         let uvw = Affine {
             centre: DVec3::new(u.centre, v.centre, w.centre),
@@ -158,11 +163,10 @@ impl<'a> Face<'a> {
     /// The affine function of u and v with the given values at the corners of triangle 0 or 1; `values` are those of the
     /// face's corners. The fourth corner is not used: its value may be so large that the others would be rounded away.
     pub fn interpolate(&self, values: &[DVec3; 4], triangle: usize) -> Affine {
-        let corners = [0, 1, 2].map(|corner| (2 * triangle + corner) % 4);
-        let [a, b, c] = corners.map(|corner| values[corner]);
-        let signs = corners.map(|corner| self.corners[corner]);
+        let corners = three!(|corner| (2 * triangle + corner) % 4);
+        let [a, b, c] = three!(|corner| values[corners[corner]]);
         let half = |axis: usize| {
-            let [from, middle, to] = signs.map(|signs| signs[axis]);
+            let [from, middle, to] = three!(|corner| self.corners[corners[corner]][axis]);
             (b - a) / 2.0 * ((middle - from) / 2.0) + (c - b) / 2.0 * ((to - middle) / 2.0)
         };
         Affine::new((a + c) / 2.0, half(0), half(1))
