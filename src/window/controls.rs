@@ -189,7 +189,8 @@ pub fn show(world: &mut World, mode: ViewMode) {
     let [left, _] = sides(&viewer);
     viewer.show = mode;
     if mode == ViewMode::Wipe {
-        viewer.sides = Side::gouraud_phong(viewer.tolerance);
+        // Neither side is drawn within a budget.
+        (viewer.sides, viewer.budget) = (Side::gouraud_phong(viewer.tolerance), None);
     }
     drop(viewer);
     if mode == ViewMode::Error

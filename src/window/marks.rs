@@ -26,6 +26,8 @@ pub const CROSS: f32 = 11.5;
 /// The length of a unit vector across the view, in points. A vector that the view shortens to a share of it has the root of that
 /// share.
 const UNIT: f32 = 110.0;
+/// Marks would hide a face whose edges are shorter, in points.
+const LEAST_FACE: f32 = 50.0;
 const NORMAL: Color32 = Color32::from_rgb(0x9a, 0xe6, 0x4b);
 const TO_EYE: Color32 = Color32::from_rgb(0x60, 0xc8, 0xff);
 
@@ -66,7 +68,8 @@ fn mark_half(painter: &Painter, world: &World, view: &View, canvas: &Canvas, hal
             let [a, b, c, d] = face.map(|corner| corners[usize::from(corner)]);
             let [one, two] = [place(b) - place(a), place(c) - place(b)];
             // Counter-clockwise on the screen, whose y axis points down: the face is towards the eye.
-            if one.x * two.y - one.y * two.x >= 0.0 {
+            let is_behind = one.x * two.y - one.y * two.x >= 0.0;
+            if is_behind || one.length().max(two.length()) < LEAST_FACE {
                 continue;
             }
             for (i, j) in (0..=count).flat_map(|i| (0..=count).map(move |j| (i, j))) {

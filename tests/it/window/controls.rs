@@ -11,7 +11,7 @@ use shadetrade::window::keys::EXACT_SIDES;
 
 use super::changed;
 use crate::support::prelude::*;
-use crate::support::window::default_scene;
+use crate::support::window::{default_scene, first_scene};
 
 #[test]
 fn sides_of_a_wipe_follow_the_tolerance_that_they_had() {
@@ -82,6 +82,16 @@ fn cuboids_turn_by_the_clock_from_where_they_stopped() {
         assert_eq!(viewer(&world).turned, turned);
         rotation.switch(&mut world, after(start + degrees));
     }
+}
+
+#[test]
+fn a_budget_and_a_wipe_between_two_methods_exclude_each_other() {
+    let mut world = first_scene().world;
+    assert_eq!(viewer(&world).show, ViewMode::Wipe);
+    set_budget(&mut world, Some(1.0));
+    assert_eq!(viewer(&world).show, ViewMode::Picture);
+    show(&mut world, ViewMode::Wipe);
+    assert_eq!(viewer(&world).budget, None);
 }
 
 #[test]
