@@ -268,7 +268,8 @@ pub fn tree(part: &impl Serialize) -> Value {
     Value::try_from(part).expect("TOML has all that a record has")
 }
 
-/// The comments behind the keys of a scene's text, also behind those that are comments themselves.
+/// The comments behind the keys of a scene's text, also behind those that are comments themselves. That a key is optional is left
+/// out.
 fn comments(text: &'static str) -> Vec<(String, &'static str)> {
     let mut table = "";
     let mut comments = Vec::new();

@@ -84,7 +84,9 @@ impl SceneRecord {
         }
     }
 
-    /// The world of this record. The builder in place of tuples takes a fiftieth of the crate's time to compile.
+    /// The world of this record.
+    ///
+    /// Each type of tuple would be compiled by itself, so entities are spawned by a builder.
     pub fn spawn(&self) -> World {
         let mut world = World::new();
         let mut entity = EntityBuilder::new();

@@ -141,8 +141,8 @@ impl<'a> Face<'a> {
         };
         let to_centre = face.towards(centre, DVec3::ZERO);
         let [u, v] = two!(|it| {
-            let (axis, half) = (transform.axes.col(along[it]), half[along[it]]);
-            to_centre.map(|c| -axis.dot(c) / half)
+            let (direction, half_edge) = (transform.axes.col(along[it]), half[along[it]]);
+            to_centre.map(|c| -direction.dot(c) / half_edge)
         });
         let w = &plane.w;
         let uvw = Affine {

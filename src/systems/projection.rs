@@ -50,8 +50,8 @@ pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: 
     let is_whole = frustum.holds(half);
     let mut snapped = [[0; 2]; 8];
     if is_whole {
-        for (snapped, seen) in snapped.iter_mut().zip(projected.seen) {
-            *snapped = frustum.snapped(seen);
+        for (pixel, seen) in snapped.iter_mut().zip(projected.seen) {
+            *pixel = frustum.snapped(seen);
         }
     }
     for (index, polygon) in projected.polygons.iter_mut().enumerate() {
@@ -66,8 +66,8 @@ pub fn project(transform: &WorldTransform, mesh: &Mesh, lens: &Lens, projected: 
                 *vertex = snapped[usize::from(corner)];
             }
         } else {
-            let corners = corners.map(|corner| mesh.corners[usize::from(corner)]);
-            *polygon = frustum.clip(axis, corners);
+            let places = corners.map(|corner| mesh.corners[usize::from(corner)]);
+            *polygon = frustum.clip(axis, places);
         }
     }
 }

@@ -198,7 +198,7 @@ impl EdgeLine {
 fn snap(pixels: f64) -> i32 {
     let place = pixels * 256.0 + 0.5;
     let towards_zero = place as i32;
-    // The largest whole number below, which x86-64 without SSE4.1 computes in a call.
+    // `f64::floor` is a function call on x86-64 without SSE4.1.
     towards_zero - i32::from(f64::from(towards_zero) > place)
 }
 

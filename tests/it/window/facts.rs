@@ -139,7 +139,7 @@ fn the_proof_refutes_nothing_and_the_status_line_does_not_tell_of_the_picture_be
     assert_eq!(proof.proven + proof.undecided, (width * height) as u64);
     let mut harness = widgets(window.app, [1000, 120]);
     for is_told in [true, false] {
-        let mut labels = harness.query_all_by_label_contains("proven.");
+        let mut labels = harness.query_all_by_label_contains("Drawn as defined");
         assert_eq!(labels.next().is_some(), is_told);
         drop(labels);
         press(&mut harness, Key::P);
