@@ -3,10 +3,11 @@
 use egui::accesskit::Role;
 use egui::{Event, Key, PointerButton, Pos2};
 use egui_kittest::kittest::Queryable;
+use shadetrade::scene::SceneRecord;
 use shadetrade::window::inspector::Tab;
 
-use super::{PAUSE, SIZE, Window, default_record};
-use crate::support::window::{default_scene, widgets};
+use super::{PAUSE, SIZE, Window, changed};
+use crate::support::window::widgets;
 
 /// The events of a press and a release at a place.
 fn events(window: &Window, at: Pos2) -> Vec<Event> {
@@ -26,8 +27,11 @@ fn tap(window: &mut Window, at: Pos2) {
 
 #[test]
 fn a_click_within_one_step_does_what_a_slow_one_does() {
+    // A small cuboid: some clicks open answers about all of its pixels.
+    let scene = || changed(|record| record.camera[0].orbit.zoom = 8.0);
+    let before = SceneRecord::of(&scene().world);
     let shown = |window: &mut Window| {
-        window.reopen(default_scene());
+        window.reopen(scene());
         window.app.desk.tabs = vec![Tab::Time];
         window.step(Vec::new());
     };
@@ -51,7 +55,7 @@ fn a_click_within_one_step_does_what_a_slow_one_does() {
     let mut changes = 0;
     for at in places {
         let found = after(&mut slow, at, Window::click);
-        changes += usize::from(found.0 != default_record());
+        changes += usize::from(found.0 != before);
         assert_eq!(found, after(&mut quick, at, tap), "{at}");
     }
     assert!(changes > 5, "{changes}");
