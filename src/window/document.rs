@@ -143,7 +143,8 @@ impl Document {
         let lesson = Arc::clone(&self.scene.lesson);
         let place = self.step.checked_add_signed(steps);
         let Some((place, step)) = place.and_then(|place| Some((place, lesson.get(place)?))) else {
-            return Some("the lesson has no such step".to_owned());
+            let end = if steps < 0 { "first" } else { "last" };
+            return Some(format!("this is the {end} step of the lesson"));
         };
         self.restore(&step.record);
         // A step is no edit.

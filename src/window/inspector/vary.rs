@@ -162,7 +162,7 @@ fn change(ui: &mut Ui, varied: &Varied, study: &Study) -> Option<Change> {
     let curves = known.map(Refined::curves).unwrap_or_default();
     let [width, height] = wanted.size;
     let pictures =
-        format!("error in pictures of {width}x{height}, at a lattice of up to {PIXELS} pixels");
+        format!("error in pictures of {width}x{height}, at up to {PIXELS} pixels, evenly spread");
     ui.small(pictures);
     let mut change = plot(ui, variable, wanted.limit, &curves, value).map(Change::Value);
     let mut numbers = [variable.from, value, variable.to];

@@ -46,7 +46,7 @@ fn keys_go_on_and_back_and_a_step_shows_the_scene_as_the_lesson_has_it() {
     assert_eq!(window.record(), *steps[1].record);
     window.press(Key::Enter);
     assert_eq!(window.record(), *steps[1].record);
-    assert!(window.message().contains("no such step"));
+    assert!(window.message().contains("last step"));
     window.press(Key::W);
     window.press(Key::Backspace);
     let is_gone = window.record() == *steps[0].record;
