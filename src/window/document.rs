@@ -141,6 +141,9 @@ impl Document {
     /// Shows the scene as a later step of its lesson has it. Undo brings edits of the step before back.
     pub fn step_lesson(&mut self, steps: isize) -> Option<String> {
         let lesson = Arc::clone(&self.scene.lesson);
+        if lesson.is_empty() {
+            return Some("no lesson is open".to_owned());
+        }
         let place = self.step.checked_add_signed(steps);
         let Some((place, step)) = place.and_then(|place| Some((place, lesson.get(place)?))) else {
             let end = if steps < 0 { "first" } else { "last" };

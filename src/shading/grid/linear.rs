@@ -63,10 +63,10 @@ impl Grid<'_> {
         let up = (d - a + (c - b)) / (2.0 * j as f64);
         let (mut lowest, mut highest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for row in 0..=j {
-            let start = self.point([first[0], first[1] + row]);
+            let left = self.point([first[0], first[1] + row]);
             let below = up * row as f64;
-            for (column, level) in self.levels[start..=start + i].iter().enumerate() {
-                let rest = DVec3::from(*level) - right * column as f64 - below;
+            for (column, levels) in self.levels[left..=left + i].iter().enumerate() {
+                let rest = DVec3::from(*levels) - right * column as f64 - below;
                 (lowest, highest) = (lowest.min(rest), highest.max(rest));
             }
         }

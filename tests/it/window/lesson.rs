@@ -57,6 +57,15 @@ fn keys_go_on_and_back_and_a_step_shows_the_scene_as_the_lesson_has_it() {
 }
 
 #[test]
+fn without_a_lesson_there_is_no_step_to_go_to() {
+    for key in [Key::Enter, Key::Backspace] {
+        let mut window = Window::open();
+        window.press(key);
+        assert!(window.message().contains("no lesson"), "{key:?}");
+    }
+}
+
+#[test]
 fn the_picture_keeps_its_size_from_step_to_step() {
     let long = "so ".repeat(60);
     let text = LESSON.replace("Red light.", &long).replace("ask", "# ");
